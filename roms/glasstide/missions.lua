@@ -75,6 +75,9 @@ dive("gears", "Spare Gear", "Break Meshing Wheels on hard without a bomb.",
 dive("shift", "Night Shift", "Break 40 enemies in the halls.",
   { stage = "two", mark = "halls", to = "eels", lives = 3, goal = { kills = 40 },
     medals = { 27 * S, 23 * S } })
+dive("rails", "Off the Rails", "Make a chain of 20 in the yard of the works.",
+  { stage = "two", mark = "yard", to = "eels", lives = 3, goal = { chain = 20 },
+    medals = { 20 * S, 15 * S } })
 dive("panes", "Window Shopping", "Collect 40 prisms among Panes in Rows.",
   { boss = "eels", phase = "panes", difficulty = "normal", goal = { prisms = 40 }, bombs = 0,
     registers = { gauge = 500 }, medals = { 26 * S, 16 * S } })

@@ -52,6 +52,7 @@ local rom = {
     bones   = { file = "art/bones.png",   bank = 10, palette = "one" },
     -- stage two
     creatures_two = { file = "art/creatures_two.png", bank = 10, palette = "two" },
+    train   = { file = "art/train.png",   bank = 10, palette = "two" },
     bullets_two = { file = "art/bullets_two.png", bank = 0 },
     bellows = { file = "art/bellows.png", bank = 12, palette = "two" },
     cinder  = { file = "art/cinder.png",  bank = 12, palette = "two" },
@@ -159,6 +160,10 @@ local rom = {
     gear_ray = { sheet = "creatures_two", x = 0,   y = 134, w = 60, h = 50, frames = 4, every = 5 },
     crucible = { sheet = "creatures_two", x = 0,   y = 186, w = 44, h = 46, frames = 4, every = 9 },
     kiln     = { sheet = "creatures_two", x = 0,   y = 234, w = 68, h = 62, frames = 4, every = 9 },
+    engine   = { sheet = "train", x = 0,  y = 0,   w = 44, h = 68, frames = 4, every = 5 },
+    engine_up = { sheet = "train", x = 0, y = 180, w = 44, h = 68, frames = 4, every = 5 },
+    gun      = { sheet = "train", x = 0,  y = 68,  w = 44, h = 56, frames = 4, every = 8 },
+    ladle    = { sheet = "train", x = 0,  y = 124, w = 44, h = 56, frames = 4, every = 7 },
     bellows  = { sheet = "bellows", x = 0, y = 0, w = 116, h = 96, frames = 4, every = 9,
                  origin = { 58, 44 } },
     cinder   = { sheet = "cinder",  x = 0, y = 0, w = 84,  h = 92, frames = 4, every = 8,
@@ -282,6 +287,7 @@ local rom = {
                  size = 8 },
     street   = { tiles = "art/street.png", bank = 13, palette = "two", file = "maps/street.csv" },
     skyline  = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/skyline.csv" },
+    yard     = { tiles = "art/yard.png",   bank = 13, palette = "two", file = "maps/yard.csv" },
     -- stage three
     trench   = { tiles = "art/trench.png", bank = 13, file = "maps/trench.csv", palette = "three" },
     chains   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/chains.csv",

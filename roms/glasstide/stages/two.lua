@@ -6,6 +6,7 @@ require "stages/two/creatures"
 require "stages/two/bellows"
 require "stages/two/eels"
 require "stages/two/scene"
+local trains = require "stages/two/trains"
 
 local sweep = path.def {
   { x = -16, y = 60 }, { x = 80, y = 40, over = 50, ease = "out" }, { x = 180, y = 96, over = 60 },
@@ -60,43 +61,89 @@ local function arches()
                         run = habits.spill }
   stage.at(1330) wave { kind = "crucible", n = 1, every = 1, path = hang, mirror = true,
                         run = habits.spill }
-  stage.clear(240)
+end
+
+-- Two kinds at a time, which fire across each other.
+local function galleries()
+  stage.at(1580) both { kind = "drone", n = 6, every = 10, path = sweep, run = habits.beads }
+  stage.at(1640) wave { kind = "gear_ray", n = 1, every = 1, path = glide, run = habits.mesh }
+  stage.at(1780) wave { kind = "bottle", n = 7, every = 0, path = rush, formation = "v", gap = 24,
+                        run = habits.cork }
+  stage.at(1830) both { kind = "tongs", n = 2, every = 26, path = scuttle, dx = 20,
+                        run = habits.nip }
+  stage.at(1980) both { kind = "worm", n = 1, every = 1, path = wind, run = habits.vent }
+  stage.at(2060) both { kind = "drone", n = 8, every = 10, path = hook, run = habits.blink }
+  stage.at(2130)
+  stage.clear(200)
 end
 
 -- In the street, creatures come faster and in formations.
 local function street()
-  stage.at(1740) wave { kind = "bottle", n = 7, every = 0, path = rush, formation = "v", gap = 22,
+  stage.at(2380) wave { kind = "bottle", n = 7, every = 0, path = rush, formation = "v", gap = 22,
                         run = habits.shaken }
-  stage.at(1880) both { kind = "drone", n = 6, every = 9, path = sweep, run = habits.blink }
-  stage.at(2000) wave { kind = "bottle", n = 6, every = 0, path = rush, formation = "line",
+  stage.at(2520) both { kind = "drone", n = 6, every = 9, path = sweep, run = habits.blink }
+  stage.at(2640) wave { kind = "bottle", n = 6, every = 0, path = rush, formation = "line",
                         gap = 34,
                         run = habits.shaken }
-  stage.at(2120) wave { kind = "gear_ray", n = 1, every = 1, path = glide, run = habits.mesh }
-  stage.at(2260) wave { kind = "bottle", n = 9, every = 0, path = rush, formation = "v", gap = 20,
+  stage.at(2760) wave { kind = "gear_ray", n = 1, every = 1, path = glide, run = habits.mesh }
+  stage.at(2900) wave { kind = "bottle", n = 9, every = 0, path = rush, formation = "v", gap = 20,
                         run = habits.shaken }
-  stage.at(2360) both { kind = "drone", n = 6, every = 9, path = hook, run = habits.beads }
-  stage.at(2480)
+  stage.at(3000) both { kind = "drone", n = 6, every = 9, path = hook, run = habits.beads }
+  stage.at(3100) wave { kind = "gear_ray", n = 1, every = 1, path = glide, mirror = true,
+                        run = habits.mesh }
+  stage.at(3180) wave { kind = "bottle", n = 7, every = 0, path = rush, formation = "line",
+                        gap = 30, run = habits.cork }
+  stage.at(3290) both { kind = "drone", n = 8, every = 8, path = sweep, run = habits.beads }
+  stage.at(3400)
   stage.clear(200)
 end
 
 -- After the Bellows, all creatures appear together.
 local function halls()
-  stage.at(2820) both { kind = "drone", n = 7, every = 10, path = sweep, run = habits.beads }
-  stage.at(2960) both { kind = "worm", n = 1, every = 1, path = wind, run = habits.vent }
-  stage.at(3140) wave { kind = "bottle", n = 6, every = 12, path = sink, dx = 36,
+  stage.at(3760) both { kind = "drone", n = 7, every = 10, path = sweep, run = habits.beads }
+  stage.at(3900) both { kind = "worm", n = 1, every = 1, path = wind, run = habits.vent }
+  stage.at(4080) wave { kind = "bottle", n = 6, every = 12, path = sink, dx = 36,
                         run = habits.cork }
-  stage.at(3330) wave { kind = "gear_ray", n = 1, every = 1, path = glide, run = habits.mesh }
-  stage.at(3400) wave { kind = "gear_ray", n = 1, every = 1, path = glide, dy = -10, mirror = true,
+  stage.at(4270) wave { kind = "gear_ray", n = 1, every = 1, path = glide, run = habits.mesh }
+  stage.at(4340) wave { kind = "gear_ray", n = 1, every = 1, path = glide, dy = -10, mirror = true,
                         run = habits.mesh }
-  stage.at(3600) both { kind = "tongs", n = 3, every = 24, path = scuttle, dx = 20,
+  stage.at(4540) both { kind = "tongs", n = 3, every = 24, path = scuttle, dx = 20,
                         run = habits.nip }
-  stage.at(3780) wave { kind = "kiln", n = 1, every = 1, path = berth, run = habits.bake }
-  stage.at(3960) both { kind = "drone", n = 8, every = 10, path = hook, run = habits.blink }
-  stage.at(4180) both { kind = "puffer", n = 1, every = 1, path = hang, run = habits.puff }
-  stage.at(4300) wave { kind = "bottle", n = 9, every = 0, path = rush, formation = "v", gap = 20,
+  stage.at(4720) wave { kind = "kiln", n = 1, every = 1, path = berth, run = habits.bake }
+  stage.at(4900) both { kind = "drone", n = 8, every = 10, path = hook, run = habits.blink }
+  stage.at(5120) both { kind = "puffer", n = 1, every = 1, path = hang, run = habits.puff }
+  stage.at(5240) wave { kind = "bottle", n = 9, every = 0, path = rush, formation = "v", gap = 20,
                         run = habits.cork }
-  stage.at(4440)
-  stage.clear(260)
+  stage.at(5380)
+  stage.clear(200)
+end
+
+-- Trains run through the yard on two tracks, down and up; creatures fly between them.
+local function yard()
+  trains.send(1, 1.2, { "engine", "ladle", "gun", "gun" })
+  wait(140)
+  both { kind = "drone", n = 6, every = 10, path = sweep, run = habits.blink }
+  wait(90)
+  trains.send(2, -1.3, { "engine", "gun", "ladle", "gun" })
+  wait(170)
+  wave { kind = "bottle", n = 7, every = 0, path = rush, formation = "v", gap = 20, run = habits.shaken }
+  wait(110)
+  trains.send(2, 1.2, { "engine", "gun", "ladle", "gun", "ladle" })
+  wait(120)
+  wave { kind = "gear_ray", n = 1, every = 1, path = glide, run = habits.mesh }
+  wait(100)
+  trains.send(1, -1.3, { "engine", "gun", "gun", "ladle" })
+  both { kind = "drone", n = 8, every = 9, path = hook, run = habits.beads }
+  wait(230)
+  trains.send(1, 1.4, { "engine", "gun", "ladle", "gun", "ladle", "gun" })
+  wait(50)
+  trains.send(2, 1.4, { "engine", "ladle", "gun", "ladle", "gun", "ladle" })
+  wait(180)
+  both { kind = "puffer", n = 1, every = 1, path = hang, run = habits.puff }
+  wait(130)
+  both { kind = "drone", n = 8, every = 9, path = sweep, run = habits.beads }
+  wait(130)
+  stage.clear(200)
 end
 
 stage.def("two", function()
@@ -105,7 +152,8 @@ stage.def("two", function()
   wait(70)
   text.clear { col = 0, row = 16, w = 30, h = 1 }
   arches()
-  stage.at(1690)
+  galleries()
+  stage.at(2330)
   stage.mark("street")
   sea.scene("street", 2.6)
   street()
@@ -114,9 +162,12 @@ stage.def("two", function()
   wait(40)
   boss.fight("bellows")
   sea.scene("works", 1.9)
-  stage.at(2780)
+  stage.at(3720)
   stage.mark("halls")
   halls()
+  stage.mark("yard")
+  sea.scene("yard", 3.4)
+  yard()
   stage.mark("eels")
   sea.scene("hearth", 0.6)
   wait(60)

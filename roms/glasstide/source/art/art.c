@@ -67,6 +67,8 @@ static const struct picture GAME[] = {
     { "stacks", art_two_stacks, ART_TWO },
     { "street", art_two_street, ART_TWO },
     { "skyline", art_two_skyline, ART_TWO },
+    { "yard", art_two_yard, ART_TWO },
+    { "train", art_two_train, ART_TWO },
     /* stage three */
     { "queen", art_queen, ART_MAIN },
     { "queen_face", art_queen_face, ART_THREE },

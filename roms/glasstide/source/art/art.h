@@ -145,6 +145,8 @@ struct sheet art_two_works(void);
 struct sheet art_two_stacks(void);
 struct sheet art_two_street(void);
 struct sheet art_two_skyline(void);
+struct sheet art_two_yard(void);
+struct sheet art_two_train(void);
 struct sheet art_shoal(void);
 struct sheet art_lantern_nautilus(void);
 struct sheet art_crab(void);

@@ -14,6 +14,17 @@ creature("gear_ray", COPPER, 46, 28, 84,  2400,  large, { pearl = 4 })
 creature("crucible", STEEL,  32, 32, 100, 2800,  burst, { pearl = 4 })
 creature("kiln",     COPPER, 46, 44, 260, 6000,  large, { pearl = 6, conch = 1 })
 
+-- Trains run on the ground, under the ship. A ladle spills when it breaks.
+local function rolling(name, h, hp, score, on_death, drops, pictures)
+  enemy.def(name, { sprite = name, bank = COPPER, hit = { box = { 32, h } }, hp = hp, score = score, spark = "crumb",
+                    blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip, on_death = on_death, drops = drops,
+                    pictures = pictures, touch = false })
+end
+
+rolling("engine", 56, 170, 4000, large, { pearl = 4 }, { up = "engine_up" })
+rolling("gun",    46, 70,  1200, large, { pearl = 2 })
+rolling("ladle",  46, 90,  1600, burst, { pearl = 3 })
+
 -- Bosses blink softly: they are large and under constant fire, so they would stay white.
 local function boss_kind(name, w, h, score, on_death)
   enemy.def(name, { sprite = name, hit = { box = { w, h } }, hp = 100, score = score,

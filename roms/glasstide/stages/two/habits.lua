@@ -165,4 +165,40 @@ function habits.bake(e)
   end
 end
 
+-- A gun on a truck fires both barrels, again and again.
+function habits.battery(e)
+  wait(rng.int(20, 50))
+  while true do
+    if far(e) and e.y > 0 and e.y < 200 then
+      pattern.stack { from = e, kind = "kunai", bank = 5, aim = true, speed = rank.faster(1.7), speed_to = 2.4,
+                      delay = 16, n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 } }
+    end
+    wait(rank.sooner(by_difficulty { easy = 110, normal = 62, hard = 50, abyss = 40 }))
+  end
+end
+
+-- A ladle slops over, to the left and to the right.
+function habits.slosh(e)
+  wait(24)
+  for k = 1, forever do
+    if e.y > 220 then return end
+    pattern.fan { from = e, kind = "drop", bank = 7, dir = k % 2 == 0 and 25 or 155, spread = 70, speed = 1.3,
+                  motion = drip, n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 7 } }
+    wait(rank.sooner(by_difficulty { easy = 70, normal = 40, hard = 32, abyss = 26 }))
+  end
+end
+
+-- An engine lets off steam.
+function habits.stoke(e)
+  wait(30)
+  for k = 1, forever do
+    if e.y < 210 then
+      sound.play("steam", { from = e })
+      pattern.ring { from = e, kind = "steam", bank = 0, dir = 15 * k, speed = 2, motion = breathe,
+                     n = by_difficulty { easy = 7, normal = 12, hard = 16, abyss = 22 } }
+    end
+    wait(rank.sooner(by_difficulty { easy = 110, normal = 76, hard = 62, abyss = 50 }))
+  end
+end
+
 return habits

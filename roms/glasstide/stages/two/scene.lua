@@ -1,6 +1,6 @@
 -- stages/two/scene.lua - the look of the drowned glassworks: a wall of
--- arches with fires behind it, and the street of the works, which rushes
--- by.
+-- arches with fires behind it, the street of the works, which rushes
+-- by, and the yard with its two tracks.
 local sea = require "sea"
 
 -- Rising embers. Their place depends on the frame, so that they use no random numbers.
@@ -31,6 +31,14 @@ bg.def("street", function()
   stacks.map, stacks.x = "stacks", -16
   sea.flow { { street, -2.2 }, { stacks, 2.6 } }
   embers(4, 100, 330)
+end)
+
+bg.def("yard", function()
+  palette.load("two")
+  local yard, stacks = bg.layer(1), bg.layer(3)
+  yard.map, stacks.map, stacks.x = "yard", "stacks", -16
+  sea.flow { { yard, 1 }, { stacks, 1.5 } }
+  embers(7, 40, 330)
 end)
 
 -- The scene of the bosses: the wall shimmers in the heat, and more embers rise.
