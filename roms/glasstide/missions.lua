@@ -102,6 +102,9 @@ dive("teeth", "Dentist", "Break Closing Teeth with the swarm.",
 dive("hoard", "Hoard", "Collect 60 prisms above the Queen.",
   { stage = "three", mark = "deep", to = "queen", lives = 3, goal = { prisms = 60 },
     medals = { 28 * S, 24 * S } })
+dive("lamps", "Lamplighter", "Break 25 enemies on the drowned quay.",
+  { stage = "three", mark = "quay", to = "queen", lives = 3, goal = { kills = 25 },
+    medals = { 16 * S, 13 * S } })
 dive("wheels", "Full Measure", "Fill GLASS among the Queen's wheels. No bomb.",
   { boss = "queen", phase = "wheels", difficulty = "normal", goal = { gauge = 1000 }, bombs = 0,
     registers = { gauge = 400 }, limit = 45 * S, medals = { 26 * S, 19 * S } })

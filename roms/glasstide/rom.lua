@@ -65,6 +65,7 @@ local rom = {
     queen_abyss = { file = "art/queen_abyss.png", bank = 12, palette = "three" },
     queen_face = { file = "art/queen_face.png", bank = 12, palette = "three" },
     abyss_life = { file = "art/abyss_life.png", bank = 10, palette = "three" },
+    quay_lamps = { file = "art/quay_lamps.png", bank = 10, palette = "three" },
     gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
@@ -191,6 +192,8 @@ local rom = {
                  origin = { 26, 44 } },
     spider   = { sheet = "abyss_life", x = 0,   y = 228, w = 60, h = 52, frames = 4, every = 7,
                  origin = { 30, 28 } },
+    lamp_out = { sheet = "quay_lamps", x = 0, y = 0, w = 32, h = 40 },
+    lamp_lit = { sheet = "quay_lamps", x = 32, y = 0, w = 32, h = 40, frames = 4, every = 6 },
     gulper   = { sheet = "gulper",  x = 0,   y = 0,   w = 64, h = 64, frames = 4, every = 8 },
     angler   = { sheet = "angler",  x = 0,   y = 0,   w = 120, h = 96, frames = 4, every = 9,
                  origin = { 60, 48 } },
@@ -290,6 +293,7 @@ local rom = {
     yard     = { tiles = "art/yard.png",   bank = 13, palette = "two", file = "maps/yard.csv" },
     -- stage three
     trench   = { tiles = "art/trench.png", bank = 13, file = "maps/trench.csv", palette = "three" },
+    quay     = { tiles = "art/quay.png",   bank = 13, file = "maps/quay.csv", palette = "three" },
     chains   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/chains.csv",
                  palette = "three" },
     walls    = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/walls.csv",

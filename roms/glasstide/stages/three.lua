@@ -1,7 +1,8 @@
 -- stages/three.lua - the abyss: down between columns of basalt, over the trench, past the
--- Anglerlamp in lightless water, and to the Queen of the Glass Tide.
+-- Anglerlamp in lightless water and a drowned quay, and to the Queen of the Glass Tide.
 require "stages/three/creatures"
 require "stages/three/angler"
+local fuse = require "stages/three/fuse"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
 local moon = require "stages/moon"
@@ -65,40 +66,86 @@ local function descent()
   stage.at(1130) wave { kind = "spider", n = 2, every = 50, path = sink, dx = 112,
                         run = habits.web }
   stage.at(1280) both { kind = "mite", n = 6, every = 14, path = swoop, run = habits.spit }
-  stage.at(1440)
-  stage.clear(150)
+end
+
+-- Two kinds at a time: the slow ones fill the middle, the fast ones come around them.
+local function columns()
+  stage.at(1420) lone { kind = "comb", path = hang, run = habits.lights }
+  stage.at(1480) both { kind = "viper", n = 2, every = 16, path = pounce, dx = 30,
+                        run = habits.bite }
+  stage.at(1620) wave { kind = "mite", n = 8, every = 0, formation = "circle", gap = 22,
+                        path = helix, run = habits.spit }
+  stage.at(1700) pair { kind = "squid", path = sink, run = habits.ink }
+  stage.at(1790) wave { kind = "viper", n = 5, every = 0, formation = "v", gap = 32, path = dart,
+                        run = habits.bite }
+  stage.at(1900) both { kind = "mite", n = 8, every = 11, path = swoop, run = habits.litter }
+  stage.at(2060)
+  stage.clear(130)
 end
 
 -- The floor of the sea rushes by.
 local function trench()
-  stage.at(1640) both { kind = "mite", n = 6, every = 10, path = swoop, run = habits.litter }
-  stage.at(1740) wave { kind = "shark", n = 2, every = 110, path = patrol, dy = 10,
+  stage.at(2240) both { kind = "mite", n = 6, every = 10, path = swoop, run = habits.litter }
+  stage.at(2340) wave { kind = "shark", n = 2, every = 110, path = patrol, dy = 10,
                         run = habits.hunt }
-  stage.at(1920) wave { kind = "viper", n = 5, every = 0, formation = "v", gap = 30, path = dart,
+  stage.at(2520) wave { kind = "viper", n = 5, every = 0, formation = "v", gap = 30, path = dart,
                         run = habits.bite }
-  stage.at(2080) lone { kind = "chain_head", path = hang, run = habits.chain }
-  stage.at(2420)
+  stage.at(2680) lone { kind = "chain_head", path = hang, run = habits.chain }
+  stage.at(3020) both { kind = "mite", n = 8, every = 9, path = helix, run = habits.spit }
+  stage.at(3090) lone { kind = "shark", path = patrol, mirror = true, run = habits.hunt }
+  stage.at(3200) wave { kind = "viper", n = 5, every = 0, formation = "line", gap = 42, path = dart,
+                        run = habits.bite }
+  stage.at(3320)
   stage.clear(150)
 end
 
 -- After the Anglerlamp, all creatures appear in groups.
 local function deep()
-  stage.at(2790) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
-  stage.at(2940) lone { kind = "gulper", path = hang, run = habits.gulp }
-  stage.at(3080) both { kind = "viper", bank = ROSE, n = 3, every = 14, path = pounce, dx = 30,
+  stage.at(3670) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
+  stage.at(3820) lone { kind = "gulper", path = hang, run = habits.gulp }
+  stage.at(3960) both { kind = "viper", bank = ROSE, n = 3, every = 14, path = pounce, dx = 30,
                         run = habits.bite }
-  stage.at(3240) pair { kind = "comb", bank = ROSE, path = sink, run = habits.lights }
-  stage.at(3350) wave { kind = "mite", n = 8, every = 0, formation = "circle", gap = 22,
+  stage.at(4120) pair { kind = "comb", bank = ROSE, path = sink, run = habits.lights }
+  stage.at(4230) wave { kind = "mite", n = 8, every = 0, formation = "circle", gap = 22,
                         path = helix, run = habits.spit }
-  stage.at(3510) lone { kind = "shark", bank = ROSE, path = patrol, run = habits.hunt }
+  stage.at(4390) lone { kind = "shark", bank = ROSE, path = patrol, run = habits.hunt }
                  lone { kind = "spider", bank = ROSE, path = hang, run = habits.web }
-  stage.at(3650) lone { kind = "shark", bank = ROSE, path = patrol, mirror = true,
+  stage.at(4530) lone { kind = "shark", bank = ROSE, path = patrol, mirror = true,
                         run = habits.hunt }
-  stage.at(3800) pair { kind = "chain_head", path = moor, run = habits.chain }
+  stage.at(4680) pair { kind = "chain_head", path = moor, run = habits.chain }
                  pair { kind = "squid", bank = ROSE, path = sink, run = habits.ink }
-  stage.at(4010) both { kind = "mite", n = 10, every = 10, path = swoop, run = habits.spit }
-  stage.at(4230)
-  stage.clear(200)
+  stage.at(4890) both { kind = "mite", n = 10, every = 10, path = swoop, run = habits.spit }
+  stage.at(5110)
+  stage.clear(150)
+end
+
+-- The lamps of a drowned quay light one another.
+local function quay()
+  fuse.send(1, { { 60, 0 }, { 104, 30 }, { 148, 60 }, { 188, 90 } })
+  wait(150)
+  fuse.send(1, { { 190, 0 }, { 150, 36 }, { 104, 50 }, { 60, 90 }, { 100, 130 }, { 150, 150 } })
+  both { kind = "mite", n = 6, every = 12, path = swoop, run = habits.spit }
+  wait(240)
+  fuse.send(1, { { 120, 0 }, { 76, 34 }, { 48, 80 }, { 80, 126 }, { 124, 150 } })
+  fuse.send(1, { { 164, 20 }, { 194, 64 }, { 170, 110 } })
+  wait(110)
+  both { kind = "viper", bank = ROSE, n = 2, every = 16, path = pounce, dx = 32, run = habits.bite }
+  wait(170)
+  fuse.send(1, { { 44, 0 }, { 82, 0 }, { 120, 0 }, { 158, 0 }, { 196, 0 } })
+  wait(90)
+  fuse.send(1, { { 196, 0 }, { 158, 0 }, { 120, 0 }, { 82, 0 }, { 44, 0 } })
+  lone { kind = "shark", bank = ROSE, path = patrol, run = habits.hunt }
+  wait(200)
+  fuse.send(1.2, { { 120, 0 }, { 70, 20 }, { 50, 66 }, { 80, 108 }, { 120, 120 }, { 160, 108 }, { 190, 66 },
+                   { 170, 20 } })
+  both { kind = "mite", n = 10, every = 10, path = helix, run = habits.litter }
+  wait(240)
+  pair { kind = "comb", bank = ROSE, path = sink, run = habits.lights }
+  wait(130)
+  fuse.send(1.2, { { 44, 0 }, { 82, 12 }, { 120, 24 }, { 158, 12 }, { 196, 0 } })
+  both { kind = "mite", n = 10, every = 9, path = swoop, run = habits.spit }
+  wait(210)
+  stage.clear(180)
 end
 
 -- The queen, seen from afar before she appears: a shape that rises through the dark water.
@@ -115,7 +162,8 @@ stage.def("three", function()
   palette.load("three")
   sea.scene("abyss", 1.6, 0)
   descent()
-  stage.at(1595)
+  columns()
+  stage.at(2195)
   stage.mark("trench")
   sea.scene("trench", 3.6)
   trench()
@@ -125,9 +173,12 @@ stage.def("three", function()
   boss.fight("angler")
   wait(100) -- its light goes out
   sea.scene("abyss", 2.2, 50)
-  stage.at(2745)
+  stage.at(3625)
   stage.mark("deep")
   deep()
+  stage.mark("quay")
+  sea.scene("quay", 1, 50)
+  quay()
   sea.scene("court", 0.5, 60)
   stage.mark("queen")
   task.go(omen)

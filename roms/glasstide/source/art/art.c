@@ -78,6 +78,8 @@ static const struct picture GAME[] = {
     { "angler", art_angler, ART_THREE },
     { "lamplight", art_lamplight, ART_THREE },
     { "trench", art_trench, ART_THREE },
+    { "quay", art_quay, ART_THREE },
+    { "quay_lamps", art_quay_lamps, ART_THREE },
     { "abyss_tiles", art_abyss_tiles, ART_THREE },
     /* the moon */
     { "heron_gilt", art_heron_gilt, ART_MAIN },

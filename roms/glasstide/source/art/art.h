@@ -132,6 +132,8 @@ struct sheet art_angler(void);
 struct sheet art_lamplight(void);
 struct sheet art_queen_abyss(void);
 struct sheet art_trench(void);
+struct sheet art_quay(void);
+struct sheet art_quay_lamps(void);
 struct sheet art_abyss_tiles(void);
 struct sheet art_finds(void);
 struct sheet art_two_creatures(void);

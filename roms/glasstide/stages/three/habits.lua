@@ -180,4 +180,19 @@ function habits.gulp(e)
   end
 end
 
+-- A lit lamp throws its light: petals all around, then stars at you.
+function habits.burn(e)
+  for k = 0, forever do
+    if e.y > 226 then return end
+    pattern.ring { from = e, kind = "petal", bank = 2, n = by(6, 9, 13, 17), dir = 11 * k, delay = 12,
+                   speed = fast(1.1, 1.25, 1.35, 1) }
+    wait(soon(60, 34, 28, 24))
+    if not face_to_face(e) then
+      pattern.fan { from = e, kind = "star", bank = 3, aim = true, n = by(1, 2, 3, 3), spread = 30, delay = 14,
+                    speed = fast(1.5, 1.8, 1.9, 1.8) }
+    end
+    wait(soon(80, 46, 36, 30))
+  end
+end
+
 return habits

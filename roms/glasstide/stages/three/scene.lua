@@ -1,5 +1,5 @@
 -- stages/three/scene.lua - the look of the abyss: the way down between columns of basalt, the
--- trench that rushes by, lightless water, and the Queen's court.
+-- trench that rushes by, lightless water, the drowned quay, and the Queen's court.
 local sea = require "sea"
 
 -- Dark water, far below everything.
@@ -39,6 +39,12 @@ end)
 bg.def("lightless", function()
   palette.load("dark")
   sea.flow { depths() }
+end)
+
+bg.def("quay", function()
+  palette.load("three")
+  sea.flow { depths(), strip(2, "quay", 1), strip(3, "snow", 1.4), strip(4, "chains", 2.2) }
+  bg.lines(4, { wave = 4, every = 200, speed = 0.5 })
 end)
 
 bg.def("court", function()
