@@ -22,9 +22,9 @@ dive("salvage", "Salvage", "Break 12 enemies in the wreck.",
 dive("rivets", "Rivets", "Make a chain of 14 in the wreck.",
   { stage = "one", mark = "wreck", to = "nautilus", difficulty = "hard", goal = { chain = 14 },
     medals = { 10 * S, 9 * S } })
-dive("wick", "A Short Wick", "Beat the Lantern Nautilus in 50 seconds.",
-  { boss = "nautilus", difficulty = "normal", clear = true, limit = 50 * S,
-    medals = { 42 * S, 34 * S } })
+dive("wick", "A Short Wick", "Beat the Lantern Nautilus in 75 seconds.",
+  { boss = "nautilus", difficulty = "normal", clear = true, limit = 75 * S,
+    medals = { 62 * S, 50 * S } })
 dive("snail", "Snail's Pace", "Let the Chambered Lamp burn 20 seconds. No bomb.",
   { boss = "nautilus", phase = "chambers", difficulty = "hard", goal = { frames = 20 * S },
     bombs = 0, by = "grazes", medals = { 30, 60 } })
@@ -71,7 +71,7 @@ dive("asthma", "Out of Breath", "Graze 30 while the Bellows breathes.",
     limit = 20 * S, medals = { 16 * S, 13 * S } })
 dive("gears", "Spare Gear", "Break Meshing Wheels on hard without a bomb.",
   { boss = "bellows", phase = "wheels", difficulty = "hard", clear = true, bombs = 0,
-    medals = { 18 * S, 14 * S } })
+    medals = { 38 * S, 30 * S } })
 dive("shift", "Night Shift", "Break 40 enemies in the halls.",
   { stage = "two", mark = "halls", to = "eels", lives = 3, goal = { kills = 40 },
     medals = { 27 * S, 23 * S } })
@@ -93,12 +93,12 @@ dive("trench", "Trench Coat", "Break 18 enemies in the trench.",
 dive("bait", "Bait", "Graze 50 around the Anglerlamp's bait.",
   { boss = "angler", phase = "bait", difficulty = "normal", goal = { grazes = 50 },
     limit = 26 * S, medals = { 22 * S, 17 * S } })
-dive("match", "Struck Match", "Break Struck Match in 20 seconds.",
-  { boss = "angler", phase = "match", difficulty = "normal", clear = true, limit = 20 * S,
-    medals = { 16 * S, 12 * S } })
+dive("match", "Struck Match", "Break Struck Match in 40 seconds.",
+  { boss = "angler", phase = "match", difficulty = "normal", clear = true, limit = 40 * S,
+    medals = { 34 * S, 26 * S } })
 dive("teeth", "Dentist", "Break Closing Teeth with the swarm.",
   { boss = "angler", phase = "teeth", ship = "petrel_swarm", difficulty = "normal", clear = true,
-    medals = { 22 * S, 17 * S } })
+    medals = { 46 * S, 36 * S } })
 dive("hoard", "Hoard", "Collect 60 prisms above the Queen.",
   { stage = "three", mark = "deep", to = "queen", lives = 3, goal = { prisms = 60 },
     medals = { 28 * S, 24 * S } })

@@ -6,7 +6,7 @@ local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
 local LAMP = { dx = -3, dy = 26 } -- where it holds the lamp
 
 -- 1. Its arms release rings of orbs that spiral outwards. When the lamp flares, it throws needles
--- at you.
+-- at you; later the lamp also swings, and drips between the rings.
 local wind_left  = motion.def { { polar = 1.25, spin = 0.5, over = 200 } }
 local wind_right = motion.def { { polar = 1.25, spin = -0.5, over = 200 } }
 
@@ -26,9 +26,19 @@ local function flare(e)
   end
 end
 
+local function drips(e)
+  wait(6 * 60)
+  for k = 1, forever do
+    pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "drop", bank = RUBY, dir = 90 + 64 * angle.sin(23 * k),
+                  spread = 16, speed = 1.5, n = by_difficulty { easy = 1, hard = 2, abyss = 3 } }
+    wait(rank.sooner(by_difficulty { easy = 20, normal = 11, abyss = 8 }))
+  end
+end
+
 local function lantern(e)
   e:wander { w = 70, h = 24, every = 110, over = 90 }
   task.go(flare, e)
+  task.go(drips, e)
   for k = 1, forever do
     local n = by_difficulty { easy = 5, normal = 7, hard = 11, abyss = 14 }
     local left = k // 4 % 2 == 0
@@ -98,6 +108,6 @@ local FOAM = { items = "foam", spark = "pop" }
 boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x = 120, y = 86,
                        entrance = "bubbles",
                        music = "lantern", portrait = "lantern_nautilus", phases = {
-  { id = "lantern", hp = 700, time = 24 * 60, run = lantern, clear = FOAM, drops = { pearl = 5 } },
-  { id = "chambers", spell = "Spiral Sign: Chambered Lamp", hp = 950, time = 30 * 60,
+  { id = "lantern", hp = 1240, time = 30 * 60, run = lantern, clear = FOAM, drops = { pearl = 5 } },
+  { id = "chambers", spell = "Spiral Sign: Chambered Lamp", hp = 1200, time = 34 * 60,
     bonus = 12000, bonus_to = 4000, run = chambers, clear = FOAM, drops = { pearl = 6 } } } })

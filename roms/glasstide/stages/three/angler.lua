@@ -52,7 +52,8 @@ local function swing(e, over)
 end
 
 -- 1. The bait swings to and fro and sheds light that falls on both sides in arcs, like a fountain.
--- Now and then the Anglerlamp snaps at you.
+-- Now and then the Anglerlamp snaps at you; later the
+-- bait bursts into two rings whenever it flares, which bend across each other.
 local function bow(name, turn, over, speed)
   motion.def { name = name .. " left",  { wait = 8 }, { turn = -turn, over = over },
                { speed = speed, over = 40 } }
@@ -96,10 +97,16 @@ local function bait(e)
                      speed = by(1, 1, 1.1, 0.8) }
     end
   end)
-  while true do
+  for k = 1, forever do
     wait(soon(162, 122, 100, 100))
     flare()
     sound.play("angler", { from = e })
+    if k > 2 then
+      for _, side in ipairs { "left", "right" } do
+        pattern.ring { from = lamp, kind = "drop", bank = 3, n = by(5, 9, 12, 16), dir = 17 * k, speed = 0.9,
+                       motion = "slow bow " .. side }
+      end
+    end
     wait(24)
     pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true,
                   spread = by(0, 40, 54, 80), n = by(1, 5, 7, 11), delay = 20,
@@ -227,8 +234,8 @@ local FOAM = { items = "foam", spark = "pop" }
 boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 94, music = "lantern",
   entrance = "bubbles", bg = "lightless",
   phases = {
-  { id = "bait", hp = 660, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
-  { id = "match", spell = "Lamp Sign: Struck Match", hp = 740, time = 30 * 60, bonus = 20000,
+  { id = "bait", hp = 1800, time = 34 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
+  { id = "match", spell = "Lamp Sign: Struck Match", hp = 1720, time = 40 * 60, bonus = 20000,
     bonus_to = 6000, run = match, clear = FOAM, drops = { pearl = 6 } },
-  { id = "teeth", spell = "Jaw Sign: Closing Teeth", hp = 740, time = 30 * 60, bonus = 20000,
+  { id = "teeth", spell = "Jaw Sign: Closing Teeth", hp = 1720, time = 40 * 60, bonus = 20000,
     bonus_to = 6000, run = teeth, clear = FOAM } } })

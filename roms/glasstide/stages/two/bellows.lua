@@ -6,7 +6,7 @@ local function wander(e, over)
 end
 
 -- 1. Bubbles slow down, stop, and burst into rings; on abyss, the orbs of the rings burst
--- again.
+-- again. After a while it blows them in a row from side to side.
 motion.def { name = "crumble", { wait = 70 },
   { emit = { pattern = "fan", n = 2, spread = 60, kind = "pellet", bank = 7, speed = 1.3 } },
   { die = true } }
@@ -19,15 +19,27 @@ end
 local bubbles = { easy = bubble(7), normal = bubble(10), hard = bubble(15),
                   abyss = bubble(10, "crumble") }
 
+local BLOWS <const> = 3 -- breaths before the first row
+
+local function blow(e, way)
+  for i = -1, 1, by_difficulty { easy = 1, normal = 0.5 } do
+    bullet.fire { from = e, dy = 30, kind = "gob", bank = 7, dir = 90 + 66 * i * way, speed = rank.faster(2.1),
+                  motion = by_difficulty(bubbles) }
+    wait(9)
+  end
+end
+
 local function breath(e)
   wait(20)
   for k = 1, forever do
     sound.play("steam", { from = e })
-    local turn = 16 * angle.sin(67 * k)
-    pattern.fan { from = e, dy = 30, kind = "gob", bank = 7, dir = 90 + turn, spread = 110,
-                  speed = rank.faster(2.1),
-                  n = by_difficulty { easy = 2, hard = 3 },
-                  motion = by_difficulty(bubbles) }
+    if k > BLOWS then
+      blow(e, k % 2 == 0 and 1 or -1)
+    else
+      pattern.fan { from = e, dy = 30, kind = "gob", bank = 7, dir = 90 + 16 * angle.sin(67 * k), spread = 110,
+                    speed = rank.faster(2.1), n = by_difficulty { easy = 2, hard = 3 },
+                    motion = by_difficulty(bubbles) }
+    end
     wait(rank.sooner(by_difficulty { easy = 80, normal = 61, hard = 59, abyss = 56 }))
     pattern.fan { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, spread = 44,
                   speed = by_difficulty { easy = 1.6, hard = 1.8, abyss = 1.5 },
@@ -41,7 +53,8 @@ local function breath(e)
 end
 
 -- 2. It breathes in, and drops along the walls fly to its mouth. Then it breathes out wave after
--- wave; each has a gap, which moves to and fro from wave to wave.
+-- wave; each has a gap, which moves to and fro from wave to wave, in
+-- the other direction with each breath.
 local MOUTH_X <const>, MOUTH_Y <const> = 120, 118
 local drawn = motion.def { { go_to = { MOUTH_X, MOUTH_Y }, over = 70, ease = "in" },
                            { die = true } }
@@ -57,10 +70,10 @@ local function inhale()
   wait(74 + 2 * rows)
 end
 
-local function exhale(first)
+local function exhale(first, way)
   local n = by_difficulty { easy = 28, normal = 43, hard = 50, abyss = 70 }
   local wide = by_difficulty { easy = 6, normal = 5, hard = 4 }
-  local swing = by_difficulty { easy = 9, normal = 14, hard = 20, abyss = 16 }
+  local swing = way * by_difficulty { easy = 9, normal = 14, hard = 20, abyss = 16 }
   local waves = by_difficulty { easy = 7, normal = 9, hard = 11, abyss = 26 }
   for i = 1, waves do
     local odd = i % 2 == 1
@@ -82,18 +95,18 @@ local function draught(e)
   local swung = rng.dir()
   e:move { x = 120, y = 86, over = 40, ease = "both" }
   wait(30)
-  while true do
+  for k = 1, forever do
     sound.play("charge", { from = e })
     inhale()
     sound.play("steam", { from = e })
-    swung = exhale(swung)
+    swung = exhale(swung, k % 2 == 0 and -1 or 1)
     pattern.fan { from = e, dy = 30, kind = "gob", bank = 5, aim = true, spread = 70, speed = 1.6,
                   delay = 20, n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 } }
     wait(by_difficulty { easy = 50, normal = 30, hard = 20, abyss = 30 })
   end
 end
 
--- 3. Wheels come down side by side; their teeth mesh.
+-- 3. Wheels come down side by side; their teeth mesh. Every third time, wheels cross from the corners.
 local REACH <const> = 30 -- px from a wheel's hub to its teeth
 
 local function teeth(name, spin)
@@ -103,9 +116,9 @@ end
 teeth("teeth left", 1.3)
 teeth("teeth right", -1.3)
 
-local function wheel(x, y, left, speed)
+local function wheel(x, y, dir, left, speed)
   local count = by_difficulty { easy = 5, hard = 6, abyss = 7 }
-  local hub = bullet.fire { kind = "cog", bank = 0, x = x, y = y, dir = 90, speed = speed,
+  local hub = bullet.fire { kind = "cog", bank = 0, x = x, y = y, dir = dir, speed = speed,
                             delay = 20 }
   for i = 1, count do
     bullet.fire { kind = "ingot", bank = left and 6 or 7, x = x, y = y, speed = 0, around = hub,
@@ -120,8 +133,12 @@ local function wheels(e)
     local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 0.95, abyss = 1 }
     local n = by_difficulty { easy = 2, hard = 3 }
     sound.play("gear", { from = e })
-    for i = 1, n do
-      wheel(120 + 62 * (i - (n + 1) / 2) + 24 * angle.sin(90 * k), 52, (i + k) % 2 == 0, speed)
+    if k % 3 == 0 then
+      for side = -1, 1, 2 do wheel(120 + 96 * side, 40, 90 + 32 * side, side < 0, 1.2 * speed) end
+    else
+      for i = 1, n do
+        wheel(120 + 62 * (i - (n + 1) / 2) + 24 * angle.sin(90 * k), 52, 90, (i + k) % 2 == 0, speed)
+      end
     end
     wait(40)
     pattern.fan { from = e, dy = 26, kind = "orb", bank = 5, aim = true, spread = 90, speed = 1.5,
@@ -136,8 +153,8 @@ local FOAM = { items = "foam", spark = "pop" } -- what its bullets become when a
 boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 86, music = "lantern",
                       entrance = "bubbles", bg = "hearth",
                       phases = {
-  { id = "breath", hp = 560, time = 20 * 60, run = breath, clear = FOAM, drops = { pearl = 5 } },
-  { id = "draught", spell = "Breath Sign: Held Draught", hp = 760, time = 26 * 60, bonus = 12000,
+  { id = "breath", hp = 1560, time = 30 * 60, run = breath, clear = FOAM, drops = { pearl = 5 } },
+  { id = "draught", spell = "Breath Sign: Held Draught", hp = 1500, time = 34 * 60, bonus = 12000,
     bonus_to = 4000, run = draught, clear = FOAM, drops = { pearl = 6 } },
-  { id = "wheels", spell = "Gear Sign: Meshing Wheels", hp = 700, time = 26 * 60, bonus = 15000,
+  { id = "wheels", spell = "Gear Sign: Meshing Wheels", hp = 1500, time = 34 * 60, bonus = 15000,
     bonus_to = 5000, run = wheels, clear = FOAM, drops = { conch = 1 } } } })
