@@ -3,7 +3,8 @@
 local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 local page = sys.read("menu/page")
 
-local SHORTEST, LONGEST = 60, 300 -- frames; fire is ignored at first, because players still press it when a boss dies
+local SHORTEST, LONGEST = 60, 150 -- frames; fire is ignored at first, because players still press it when a boss dies;
+                                  -- the page ends this long after its last value
 local RUN, NEXT = 36, 10          -- frames that a value counts up, and from the start of one to that of the next
 local STAMP = 8                   -- frames that a grade flashes
 local GRADE, SIZE = 5, 3          -- rows of the grades, size of their letters
@@ -119,7 +120,7 @@ return function(title, players, stopped, rows, new, grades)
   sys.hide_rows(true)
   screen.dim { share = 0.45, over = 12 }
   local at = stamped(rows)
-  for age = 0, grades and at + LONGEST or LONGEST do
+  for age = 0, at + LONGEST do
     page.grow(window, age)
     hud.banner() -- a boss's verdict can appear after the stage has ended
     local row = draw_page(title, rows, players, new, top, gap, age) -- every frame: a pause erases it

@@ -14,13 +14,17 @@
 #include "../../../src/workbench/pack/pack.h"
 #include "../../../src/workbench/survive/simulation.h"
 
-enum { LASER = 6 /* bullets that a laser counts as */ };
+enum {
+    LASER = 6,  /* bullets that a laser counts as */
+    TYPED = 120 /* frames that a line takes to appear, at most */
+};
 
 struct piece {
     char kind[8], name[80], boss[40];
     uint32_t frame, most;
     uint32_t frames, story, calm, longest;
-    uint32_t row; /* frames without bullets up to now, also of the part before */
+    uint32_t row;   /* frames without bullets up to now, also of the part before */
+    uint32_t typed; /* the last of them, since a frame of story: a line appears letter by letter, without a hint */
 };
 
 static void fail(const char *what)
@@ -81,6 +85,12 @@ static void look(struct piece *p, const struct board *b)
     const bool is_story = board_last_output(b)->key_hint_count > 0;
 
     p->frames++;
+    if (is_story && p->typed && p->typed <= TYPED && p->calm >= p->typed && p->row >= p->typed) {
+        p->calm -= p->typed;
+        p->row -= p->typed;
+        p->story += p->typed;
+    }
+    p->typed = is_story || now || !p->story ? 0 : p->typed + 1;
     p->story += is_story;
     p->calm += !is_story && !now;
     p->row = is_story ? p->row : now ? 0 : p->row + 1;

@@ -53,8 +53,8 @@ end
 
 -- You descend between the columns.
 local function descent()
-  stage.at(70)   wave { kind = "mite", n = 8, every = 13, path = swoop, run = habits.spit }
-  stage.at(200)  wave { kind = "mite", n = 8, every = 13, path = swoop, mirror = true,
+  stage.at(10)   both { kind = "mite", n = 6, every = 13, path = swoop, run = habits.spit }
+  stage.at(170)  wave { kind = "mite", n = 8, every = 13, path = swoop, mirror = true,
                         run = habits.spit }
   stage.at(340)  wave { kind = "viper", n = 4, every = 16, path = pounce, dx = 52,
                         run = habits.bite }
@@ -93,29 +93,29 @@ local function trench()
   stage.at(2680) lone { kind = "chain_head", path = hang, run = habits.chain }
   stage.at(3020) both { kind = "mite", n = 8, every = 9, path = helix, run = habits.spit }
   stage.at(3090) lone { kind = "shark", path = patrol, mirror = true, run = habits.hunt }
-  stage.at(3200) wave { kind = "viper", n = 5, every = 0, formation = "line", gap = 42, path = dart,
+  stage.at(3170) wave { kind = "viper", n = 5, every = 0, formation = "line", gap = 42, path = dart,
                         run = habits.bite }
   stage.at(3320)
-  stage.clear(150)
+  stage.clear(100)
 end
 
 -- After the Anglerlamp, all creatures appear in groups.
 local function deep()
-  stage.at(3670) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
-  stage.at(3820) lone { kind = "gulper", path = hang, run = habits.gulp }
-  stage.at(3960) both { kind = "viper", bank = ROSE, n = 3, every = 14, path = pounce, dx = 30,
+  stage.at(3570) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
+  stage.at(3720) lone { kind = "gulper", path = hang, run = habits.gulp }
+  stage.at(3860) both { kind = "viper", bank = ROSE, n = 3, every = 14, path = pounce, dx = 30,
                         run = habits.bite }
-  stage.at(4120) pair { kind = "comb", bank = ROSE, path = sink, run = habits.lights }
-  stage.at(4230) wave { kind = "mite", n = 8, every = 0, formation = "circle", gap = 22,
+  stage.at(4020) pair { kind = "comb", bank = ROSE, path = sink, run = habits.lights }
+  stage.at(4130) wave { kind = "mite", n = 8, every = 0, formation = "circle", gap = 22,
                         path = helix, run = habits.spit }
-  stage.at(4390) lone { kind = "shark", bank = ROSE, path = patrol, run = habits.hunt }
+  stage.at(4290) lone { kind = "shark", bank = ROSE, path = patrol, run = habits.hunt }
                  lone { kind = "spider", bank = ROSE, path = hang, run = habits.web }
-  stage.at(4530) lone { kind = "shark", bank = ROSE, path = patrol, mirror = true,
+  stage.at(4430) lone { kind = "shark", bank = ROSE, path = patrol, mirror = true,
                         run = habits.hunt }
-  stage.at(4680) pair { kind = "chain_head", path = moor, run = habits.chain }
+  stage.at(4580) pair { kind = "chain_head", path = moor, run = habits.chain }
                  pair { kind = "squid", bank = ROSE, path = sink, run = habits.ink }
-  stage.at(4890) both { kind = "mite", n = 10, every = 10, path = swoop, run = habits.spit }
-  stage.at(5110)
+  stage.at(4790) both { kind = "mite", n = 10, every = 10, path = swoop, run = habits.spit }
+  stage.at(5010)
   stage.clear(150)
 end
 
@@ -148,11 +148,11 @@ local function quay()
   stage.clear(180)
 end
 
--- The queen, seen from afar before she appears: a shape that rises through the dark water.
+-- The queen, seen from afar while the warning shows: a shape that rises through the dark water.
 local function omen()
   local shape = sprite.put { sprite = "queen_afar", x = 120, y = 250, layer = "back", bank = 1 }
-  for _ = 1, 220 do
-    shape.y = shape.y - 1.6
+  for _ = 1, 130 do
+    shape.y = shape.y - 2.7
     wait(1)
   end
   shape:remove()
@@ -171,9 +171,8 @@ stage.def("three", function()
   sea.scene("lightless", 0.7, 60)
   wait(70)
   boss.fight("angler")
-  wait(100) -- its light goes out
+  wait(60) -- its light goes out
   sea.scene("abyss", 2.2, 50)
-  stage.at(3625)
   stage.mark("deep")
   deep()
   stage.mark("quay")
@@ -182,7 +181,6 @@ stage.def("three", function()
   sea.scene("court", 0.5, 60)
   stage.mark("queen")
   task.go(omen)
-  wait(180)
   queen.fight()
   music.stop { fade = 140 }
   wait(kinds.COLLAPSE)

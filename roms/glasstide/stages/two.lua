@@ -43,8 +43,8 @@ local wave, both = stage.wave, waves.both
 
 -- The wall of arches introduces the creatures of the works.
 local function arches()
-  stage.at(80)   wave { kind = "drone", n = 7, every = 13, path = sweep, run = habits.blink }
-  stage.at(220)  wave { kind = "drone", n = 7, every = 13, path = sweep, mirror = true,
+  stage.at(10)   both { kind = "drone", n = 5, every = 13, path = sweep, run = habits.blink }
+  stage.at(170)  wave { kind = "drone", n = 7, every = 13, path = sweep, mirror = true,
                         run = habits.blink }
   stage.at(370)  wave { kind = "bottle", n = 5, every = 12, path = sink, dx = 24,
                         run = habits.cork }
@@ -149,8 +149,10 @@ end
 stage.def("two", function()
   sea.scene("works", 1.6, 0)
   text.put { col = 15, row = 16, text = "The Drowned Glassworks", align = "center", bank = 0 }
-  wait(70)
-  text.clear { col = 0, row = 16, w = 30, h = 1 }
+  task.go(function()
+    wait(90)
+    text.clear { col = 0, row = 16, w = 30, h = 1 }
+  end)
   arches()
   galleries()
   stage.at(2330)
