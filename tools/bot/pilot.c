@@ -359,7 +359,7 @@ bool pilot_play(struct pilot *p)
         }
         if (now > w->furthest + AHEAD) {
             w->furthest = now;
-            w->tried = w->back = 0;
+            w->tried = w->back = w->taste = 0; /* past the detour */
         }
         put_place(w);
         one_piece(w);
