@@ -428,8 +428,9 @@ local rom = {
   players = 2, extends = { 200000, 600000, 1500000, 4000000 },
 }
 
--- The crafts in each of their colours: level, and banking to each side.
-local COLOURS, SIDES, ROWS = { "", "_gilt", "_ember" }, { "", "_left", "_right" }, { 0, 54, 90 }
+-- The crafts in each of their colours: level, and banking to each side, a little and hard.
+local COLOURS, SIDES = { "", "_gilt", "_ember" }, { "", "_left", "_right", "_hard_left", "_hard_right" }
+local ROWS = { 0, 54, 90, 126, 162 }
 
 local function add_craft(name, w, h)
   for i = 1, #COLOURS do

@@ -24,7 +24,7 @@ static const struct column script_columns[] = { REGISTER(script, digest), REGIST
 static const struct chip core_chip = { .name = "board", CHIP_COLUMNS(core_columns), .is_list = true };
 static const struct chip script_chip = { .name = "script", CHIP_COLUMNS(script_columns), .is_list = true };
 
-enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256, MAX_OPTION_KINDS = 64 };
+enum { MAX_PLAYER_KINDS = 128, MAX_ITEM_KINDS = 256, MAX_OPTION_KINDS = 64 };
 
 static uint32_t transform_group(const struct manifest *m)
 {

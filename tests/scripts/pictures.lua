@@ -63,5 +63,5 @@ local many = {}
 for i = 1, 7 do many['n' .. i] = 'dot' end
 enemy.def('x', { sprite = 'dot', hit = 'none', pictures = many })
 --! enemy.def: pictures: too many (at most 7)
-for i = 1, 20 do player.def('q' .. i, { sprite = 'dot', hit = { circle = 1 }, pictures = { a = 'dot', b = 'dot' } }) end
---! player.def: too many kinds (at most 64; each picture of a kind counts as one)
+for i = 1, 30 do player.def('q' .. i, { sprite = 'dot', hit = { circle = 1 }, pictures = { a = 'dot', b = 'dot' } }) end
+--! player.def: too many kinds (at most 128; each picture of a kind counts as one)

@@ -107,10 +107,11 @@ function craft.def(name, def, arms)
   def.magnet, def.collect_line = 30, 96
   def.run = function(p)
     local set <close> = wardrobe()
+    local look = { lean = 0, colour = "" }
     if arms.fire then task.own(p, while_firing, p, arms.fire) end
     if arms.ray then task.own(p, arms.ray, p) end
     while true do
-      lamps.wear(p)
+      lamps.wear(p, look)
       show_focus(set, p)
       show_bombs(set, p)
       scoring.watch(p)

@@ -47,3 +47,17 @@ run:step(160)
 test.equal(run:eval "{ player.get(1).kind, player.get(2).kind }", { "heron", "heron" }, "same craft")
 test.equal(run:eval "player.get(1).picture", nil, "player 1 has the craft's own colour")
 test.equal(run:eval "player.get(2).picture", "ember", "player 2 has another")
+
+-- A craft banks a little at first, hard after some frames, and levels out the same way; in focus it never banks hard.
+local function pictures(buttons)
+  local flight, seen = test.run { stage = "one@heron", invincible = true, frames = 5 }, {}
+  flight:press(buttons)
+  for _ = 1, 40 do
+    flight:step(1)
+    local name = flight:eval "player.get(1).picture" or "level"
+    if seen[#seen] ~= name then seen[#seen + 1] = name end
+  end
+  return seen
+end
+test.equal(pictures "left@10:24", { "level", "left", "hard_left", "left", "level" }, "it banks in steps")
+test.equal(pictures "focus,right@10:24", { "level", "right", "level" }, "and gently in focus")

@@ -96,14 +96,15 @@ static void option(struct sheet *s, int x, int y, int frame)
     paint_done(p, s, x, y, 1, 1);
 }
 
-/* Below the options, the craft as it banks to the left and to the right. */
+/* Below the options, the craft as it banks to the left and to the right, first a little, then hard. */
 static struct sheet craft(int bank, int wide, void (*draw)(struct sheet *, int, int, int, double))
 {
-    struct sheet s = sheet_new(4 * wide, 126, bank);
+    static const double rolls[] = { -0.6, 0.6, -1, 1 };
+    struct sheet s = sheet_new(4 * wide, 198, bank);
     for (int i = 0; i < 4; i++) {
         draw(&s, wide * i, 0, i, 0);
-        draw(&s, wide * i, 54, i, -1);
-        draw(&s, wide * i, 90, i, 1);
+        for (int k = 0; k < 4; k++)
+            draw(&s, wide * i, 54 + 36 * k, i, rolls[k]);
         if (i < 2)
             option(&s, 14 * i, 38, i);
     }
