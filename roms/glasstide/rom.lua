@@ -145,11 +145,7 @@ local rom = {
     hatch_ajar = { sheet = "shoal", x = 40, y = 96,  w = 40, h = 40 },
     hatch_half = { sheet = "shoal", x = 80, y = 96,  w = 40, h = 40 },
     hatch_open = { sheet = "shoal", x = 120, y = 96, w = 40, h = 40 },
-    lantern_nautilus = { sheet = "lantern_nautilus", x = 0, y = 0, w = 84, h = 80, frames = 4,
-                         every = 9, origin = { 40, 36 } },
-    crab     = { sheet = "crab",    x = 0,  y = 0,   w = 112, h = 88, frames = 4, every = 9,
-                 origin = { 56, 44 } },
-    claw     = { sheet = "crab",    x = 0,  y = 88,  w = 48, h = 64, frames = 4, every = 9 },
+    claw     = { sheet = "crab",    x = 0,  y = 352, w = 48, h = 64, frames = 6, every = 6 },
     shaft       = { sheet = "shafts", x = 0,   y = 0, w = 112, h = 320 },
     shaft_thin  = { sheet = "shafts", x = 112, y = 0, w = 112, h = 320 },
     -- stage two
@@ -165,12 +161,6 @@ local rom = {
     engine_up = { sheet = "train", x = 0, y = 180, w = 44, h = 68, frames = 4, every = 5 },
     gun      = { sheet = "train", x = 0,  y = 68,  w = 44, h = 56, frames = 4, every = 8 },
     ladle    = { sheet = "train", x = 0,  y = 124, w = 44, h = 56, frames = 4, every = 7 },
-    bellows  = { sheet = "bellows", x = 0, y = 0, w = 116, h = 96, frames = 4, every = 9,
-                 origin = { 58, 44 } },
-    cinder   = { sheet = "cinder",  x = 0, y = 0, w = 84,  h = 92, frames = 4, every = 8,
-                 origin = { 42, 62 } },
-    quench   = { sheet = "quench",  x = 0, y = 0, w = 84,  h = 92, frames = 4, every = 8,
-                 origin = { 42, 62 } },
     cog      = { sheet = "bullets_two", x = 0,  y = 0,  w = 22, h = 22, frames = 4, every = 3 },
     ember    = { sheet = "bullets_two", x = 92, y = 0,  w = 6,  h = 5,  frames = 4, every = 30 },
     pane     = { sheet = "bullets_two", x = 90, y = 8,  w = 34, h = 12 },
@@ -195,20 +185,16 @@ local rom = {
     lamp_out = { sheet = "quay_lamps", x = 0, y = 0, w = 32, h = 40 },
     lamp_lit = { sheet = "quay_lamps", x = 32, y = 0, w = 32, h = 40, frames = 4, every = 6 },
     gulper   = { sheet = "gulper",  x = 0,   y = 0,   w = 64, h = 64, frames = 4, every = 8 },
-    angler   = { sheet = "angler",  x = 0,   y = 0,   w = 120, h = 96, frames = 4, every = 9,
-                 origin = { 60, 48 } },
-    lantern  = { sheet = "angler",  x = 0,   y = 96,  w = 28, h = 32, frames = 4, every = 6 },
-    stalk    = { sheet = "angler",  x = 112, y = 96,  w = 8,  h = 8 },
+    lantern  = { sheet = "angler",  x = 0,   y = 384, w = 28, h = 32, frames = 4, every = 6 },
+    stalk    = { sheet = "angler",  x = 112, y = 384, w = 8,  h = 8 },
     lamplight = { sheet = "lamplight", x = 0, y = 0, w = 168, h = 168 },
     queen_afar = { sheet = "queen", x = 0,   y = 0,   w = 96, h = 96, frames = 4, every = 14 },
-    queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
-                 origin = { 64, 58 } },
     -- the moon
-    moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 2, every = 24 },
-    moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 2, every = 24 },
-    moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
-    moon_new     = { sheet = "last", x = 0, y = 480, w = 160, h = 160, frames = 2, every = 24 },
-    moon_full    = { sheet = "last", x = 0, y = 640, w = 160, h = 160, frames = 2, every = 24 },
+    moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 6, every = 8 },
+    moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 6, every = 8 },
+    moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 6, every = 8 },
+    moon_new     = { sheet = "last", x = 0, y = 480, w = 160, h = 160, frames = 6, every = 8 },
+    moon_full    = { sheet = "last", x = 0, y = 640, w = 160, h = 160, frames = 6, every = 8 },
     moon_face    = { sheet = "last_face", x = 0,  y = 0, w = 72, h = 96 },
     moon_cross   = { sheet = "last_face", x = 72, y = 0, w = 72, h = 96 },
     dry   = { sheet = "dry",   x = 0, y = 0, w = 240, h = 160 },
@@ -217,7 +203,10 @@ local rom = {
     dive  = { sheet = "dive",  x = 0, y = 0, w = 240, h = 160 },
     flood = { sheet = "flood", x = 0, y = 0, w = 240, h = 160 },
     home  = { sheet = "home",  x = 0, y = 0, w = 240, h = 160 },
-    moon_eclipse = { sheet = "last", x = 0, y = 800, w = 160, h = 160, frames = 2, every = 6 },
+    moon_eclipse = { sheet = "last", x = 0, y = 800, w = 160, h = 160, frames = 6, every = 4 },
+    moon_hurt    = { sheet = "last", x = 0, y = 960, w = 160, h = 160, frames = 6, every = 8 },
+    moon_broken  = { sheet = "last", x = 0, y = 1120, w = 160, h = 160, frames = 6, every = 8 },
+    moon_glare   = { sheet = "last", x = 0, y = 1280, w = 160, h = 160, frames = 6, every = 4 },
 
     -- portraits
     iri         = { sheet = "iri",        x = 0,  y = 0, w = 72, h = 96 },
@@ -444,5 +433,21 @@ end
 add_craft("heron", 28, 36)
 add_craft("petrel", 30, 34)
 add_craft("tern", 32, 36)
+
+-- A boss at rest and attacking, and what is drawn over it once it is hurt, and broken.
+local function add_boss(name, sheet, w, h, x, y, every)
+  local states = { "", "_attack", "_hurt", "_broken" }
+  for row = 1, #states do
+    rom.sprites[name .. states[row]] = { sheet = sheet, x = 0, y = h * (row - 1), w = w, h = h, frames = 6, every = every,
+                                   origin = { x, y } }
+  end
+end
+add_boss("lantern_nautilus", "lantern_nautilus", 84, 80, 40, 36, 6)
+add_boss("crab", "crab", 112, 88, 56, 44, 6)
+add_boss("bellows", "bellows", 116, 96, 58, 44, 6)
+add_boss("cinder", "cinder", 84, 92, 42, 62, 6)
+add_boss("quench", "quench", 84, 92, 42, 62, 6)
+add_boss("angler", "angler", 120, 96, 60, 48, 6)
+add_boss("queen", "queen_abyss", 128, 128, 64, 58, 7)
 
 return rom

@@ -198,6 +198,9 @@ return function(now, b, phases, args)
   gather(b, team, FLIGHT, "out")
   now.status = { boss = b, team = team }
   now.status.worth = worth_of(now.status)
+  for i, m in ipairs(b.cast) do
+    if m.hurt or m.broken then task.go(sys.read("boss/wounds"), b, m, team[i], now.status) end
+  end
   local won, all = run(now, b, phases, team, not args)
   if lead(team) then leave(b, team, won) end
   return all

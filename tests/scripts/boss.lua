@@ -137,6 +137,18 @@ boss.def('both home', two(
   phase { rest = 9, time = 4, run = function(i, o) i.x, i.y, o.x = 5, 5, 5 end },
   phase { id = 'c', time = 2, run = function(i, o) print(i.x, i.y, o.x, o.y) end }
 ))
+local put, shown = sprite.put, {}
+local function hurt(e, n)
+  e:hurt(n)
+  wait(8)
+  print(shown.arrow.hidden, shown.wink.hidden)
+end
+local wounded = one(
+  phase { run = function(e) hurt(e, 9) e:hurt(1) end },
+  phase { id = 'c', run = function(e) hurt(e, 1) hurt(e, 5) e:hurt(4) end }
+)
+wounded.hurt, wounded.broken = 'arrow', 'wink'
+boss.def('wounded', wounded)
 local clocked = {}
 stage.def('clock', function()
   task.go(function()
@@ -285,6 +297,21 @@ print(made)
 --> true 102
 --> 0 2
 --> 1
+
+--case: damage to all phases shows: hurt below a half, broken below a quarter
+function sprite.put(t)
+  shown[t.sprite] = put(t)
+  return shown[t.sprite]
+end
+boss.fight('wounded')
+wait(2)
+print(shown.arrow.alive)
+--> true true
+--> a true true
+--> false true
+--> true false
+--> c true true
+--> false
 
 --case: a phase has its own portrait, or its leader's, or the boss's
 boss.each(function(b)

@@ -37,8 +37,8 @@ void art_night_palette(uint32_t rgb[256]);
 double art_sin(double turns);
 double art_cos(double turns);
 double art_clamp(double v, double lo, double hi);
-/* A number that rises and falls once in four frames. */
-double art_sway(int frame, double phase);
+/* A number that rises and falls once in four frames; a boss's frames are parts of those. */
+double art_sway(double frame, double phase);
 /* The next number of a seed's sequence: 0 to 1, and lo to hi. */
 double art_random(uint32_t *seed);
 double art_pick(uint32_t *seed, double lo, double hi);
@@ -80,12 +80,30 @@ void paint_poly(struct paint *p, struct mat m, int n, const double *xy, double b
 void paint_fin(struct paint *p, struct mat m, double x, double y, int n, const double *tips, double sag);
 /* Pen strokes of radius r along n segments (ax ay bx by each), as one body with bevelled edges. */
 void paint_stroke(struct paint *p, struct mat m, int n, const double *segs, double r, double bevel);
+/* Three jagged cracks for each step of wounds; at[i] is x, y, direction and length. What glows in them is dull at the
+ * first step, and a quarter wider at the second. */
+void paint_cracks(struct paint *p, int wounds, struct mat glow, const double at[6][4], uint32_t seed);
 /* Banks what is drawn so far to one side, as a craft does that flies there: -1 left to 1 right. The wing on that side
  * dips: it gets shorter and darker. */
 void paint_roll(struct paint *p, double roll);
 /* Turns the scene into pixels with its top left at (x, y) of the sheet and frees it. Shade `rim` outlines it where the
  * light does not fall, `lit` where it does; 0: no outline there. */
 void paint_done(struct paint *p, struct sheet *s, int x, int y, int rim, int lit);
+
+/* -- bosses -- */
+
+/* What a boss is doing: frame runs from 0 to 4; wounds is 0, 1 hurt, 2 broken. */
+struct state {
+    double frame;
+    bool attack;
+    int wounds;
+};
+
+enum { BOSS_FRAMES = 6, BOSS_ROWS = 4 };
+
+/* Draws a boss's rows of w x h px from the top of the sheet: at rest, attacking, and what being hurt and being broken
+ * change of it at rest, which the game draws over it. */
+void art_boss(struct sheet *s, int w, int h, void (*draw)(struct sheet *, int x, int y, struct state));
 
 /* -- letters -- */
 

@@ -1,13 +1,13 @@
 /*
  * art_last.c - the Drowned Moon: a disc of silver with an eye in it, in a tarnished frame that weed hangs from. Six
- * pictures of two frames, as it wanes, is new, is full, and goes dark; in the ramps of bank 12 of the moon's palette.
+ * pictures as it wanes, is new, is full, and goes dark; in the ramps of bank 12 of the moon's palette.
  * And who comes up with it in the caravan's water.
  */
 #include "art.h"
 
 #include <math.h>
 
-enum { SIDE = 160, PHASES = 6, FRAMES = 2, CRATERS = 15 };
+enum { SIDE = 160, PHASES = 6, CRATERS = 15 };
 
 static const double DISC = 62, FRAME = 71; /* radii */
 
@@ -85,10 +85,11 @@ static double iris_light(double x, double y, double share)
 }
 
 /* The eye: lids of stone that open, a dark ball, an iris of rays and a slit. 0: not of the eye. */
-static int eye(const struct face *f, int frame, int px, int py, double x, double y)
+static int eye(const struct face *f, double frame, int px, int py, double x, double y)
 {
-    double wide = 39, high = 26 * f->open, u = x / wide, lid = high * (1 - u * u), rim = 3.6 * (1 - u * u);
-    double r = sqrt(x * x + y * y), ring = (15.5 + 0.8 * frame) * f->iris;
+    double wide = 39, high = 26 * f->open * (1 + 0.06 * art_sway(frame, 0)), u = x / wide, lid = high * (1 - u * u),
+           rim = 3.6 * (1 - u * u);
+    double r = sqrt(x * x + y * y), ring = (15.9 + 0.5 * art_sway(frame, 0.25)) * f->iris;
 
     if (u * u >= 1 || fabs(y) > lid + rim)
         return 0;
@@ -96,7 +97,7 @@ static int eye(const struct face *f, int frame, int px, int py, double x, double
         return f->eclipse ? 11 : y < 0 ? 4 : 7;
     if (fabs(y) > lid - 1.6)
         return 1;
-    double slit = (3.4 + 0.5 * frame) * (1 - y * y / (1.1 * ring * ring));
+    double slit = (3.6 + 0.5 * art_sway(frame, 0.25)) * (1 - y * y / (1.1 * ring * ring));
     if (r < ring && fabs(x) < slit)
         return fabs(x) > slit - 1 ? 12 : 1;
     if (r < ring)
@@ -107,18 +108,18 @@ static int eye(const struct face *f, int frame, int px, int py, double x, double
     return ball + 0.3 * art_dither(px, py) > 0.52 ? 13 : 12;
 }
 
-static double sway(int frame, int i)
+static double sway(double frame, int i)
 {
-    return (frame ? 1.6 : -1.6) * (i % 2 ? 1 : -1);
+    return 1.6 * art_sway(frame, 0.5 * (i % 2));
 }
 
 /* Behind the disc: weed that hangs from the frame, the frame itself with twelve studs. */
-static void setting(struct sheet *s, int x, int y, int frame, bool eclipse)
+static void setting(struct sheet *s, int x, int y, double frame, bool eclipse)
 {
     struct paint *p = paint_new(SIDE, SIDE);
 
     for (int i = 0; i < 36 && eclipse; i++) { /* the light that goes by it */
-        double t = i / 36.0, far = (i + frame) % 2 ? 79 : 74.5;
+        double t = i / 36.0, far = 76.7 + 2.3 * art_sway(frame, 0.5 * (i % 2));
         paint_limb(p, (struct mat){ FLAT, 9, 10, i % 3 ? 0.2 : 0.7 }, art_cos(t) * 69, art_sin(t) * 69, 3.4,
                    art_cos(t) * far, art_sin(t) * far, 0.3);
     }
@@ -142,7 +143,7 @@ static void setting(struct sheet *s, int x, int y, int frame, bool eclipse)
     paint_done(p, s, x, y, 1, 1);
 }
 
-static void face(struct sheet *s, int x0, int y0, const struct face *f, int frame)
+static void face(struct sheet *s, int x0, int y0, const struct face *f, double frame)
 {
     setting(s, x0, y0, frame, f->eclipse);
     for (int py = 0; py < SIDE; py++) {
@@ -156,12 +157,47 @@ static void face(struct sheet *s, int x0, int y0, const struct face *f, int fram
     }
 }
 
+/* What it shows of its wounds whatever its phase: cracks from the rim to the eye, which the sea's light fills. */
+static void cracks(struct sheet *s, int x0, int y0, double frame, int wounds)
+{
+    const struct mat glow = { FLAT, 9, 11, 0.6 + 0.3 * art_sway(frame, 0) };
+    struct paint *p = paint_new(SIDE, SIDE);
+
+    double at[6][4];
+
+    for (int i = 0; i < 6; i++) {
+        double t = (i * 2 % 6 + i / 3) / 6.0 + 0.05, far = DISC - 4;
+        double crack[] = { far * art_cos(t), far * art_sin(t), t + 0.5, 18 + 3 * (i % 3) };
+        for (int k = 0; k < 4; k++)
+            at[i][k] = crack[k];
+    }
+    paint_cracks(p, wounds, glow, at, 130);
+    paint_done(p, s, x0, y0, 0, 0);
+}
+
+/* Its eye wide open, over the one it has, as it attacks. */
+static void glare(struct sheet *s, int x0, int y0, double frame)
+{
+    const struct face wide = { 0.02, 1.05, 1.3, false };
+
+    for (int py = 0; py < SIDE; py++) {
+        for (int px = 0; px < SIDE; px++)
+            sheet_set(s, x0 + px, y0 + py, eye(&wide, frame, px, py, px + 0.5 - SIDE / 2.0, py + 0.5 - SIDE / 2.0 - 2));
+    }
+}
+
 struct sheet art_last(void)
 {
-    struct sheet s = sheet_new(SIDE * FRAMES, SIDE * PHASES, 12);
+    struct sheet s = sheet_new(SIDE * BOSS_FRAMES, SIDE * (PHASES + 3), 12);
 
-    for (int i = 0; i < PHASES * FRAMES; i++)
-        face(&s, SIDE * (i % FRAMES), SIDE * (i / FRAMES), &FACES[i / FRAMES], i % FRAMES);
+    for (int i = 0; i < BOSS_FRAMES; i++) {
+        double frame = i * 4.0 / BOSS_FRAMES;
+        for (int k = 0; k < PHASES; k++)
+            face(&s, SIDE * i, SIDE * k, &FACES[k], frame);
+        cracks(&s, SIDE * i, SIDE * PHASES, frame, 1);
+        cracks(&s, SIDE * i, SIDE * (PHASES + 1), frame, 2);
+        glare(&s, SIDE * i, SIDE * (PHASES + 2), frame);
+    }
     return s;
 }
 

@@ -147,45 +147,54 @@ static void shell(struct paint *p, double cx, double cy, double r)
     paint_ball(p, LAMP, cx - r * 0.42, cy - r * 0.6, r * 0.18, r * 0.07, -0.1);
 }
 
-static void lantern(struct sheet *s, int x, int frame)
+/* Where its shell breaks: x, y, direction, length. */
+static const double SHELL[][4] = { { -22, -29, 0.20, 22 }, { 8, -26, 0.32, 18 },  { -33, -2, 0.95, 16 },
+                                   { -14, -8, 0.10, 20 },  { -26, 10, 0.86, 17 }, { 6, -12, 0.55, 18 } };
+
+static void lantern(struct sheet *s, int x, int y, struct state now)
 {
     struct paint *p = paint_new(84, 80);
-    double k = art_sway(frame, 0), swing = art_sway(frame, 0.2) * 1.6;
+    double frame = now.frame, k = art_sway(frame, 0), swing = art_sway(frame, 0.2) * 1.6;
+    double wild = now.attack ? 5 : 0;
 
     for (int i = 0; i < 9; i++) {
         double sway = art_sway(frame, i * 0.13), bx = 33.0 - i * 5.0, by = 20.0 + i * 2.0 + (i % 3) * 3;
         double a[2] = { 15.0 - i * 1.4, 12.0 + i * 0.6 }, c[2] = { 27.0 - i * 2.4, 17.0 + i + 2 * sway },
-               b[2] = { bx + sway * 2.2, by + 6.0 - sway * 1.6 };
+               b[2] = { bx + sway * (2.2 + wild * 0.3) + wild * (0.8 - 0.2 * i), by + 6.0 - sway * 1.6 - wild };
         paint_curve(p, i % 2 ? PANE : FLESH, a, c, b, 2.9, 0.8);
     }
     shell(p, -8, -8, 28 + 0.4 * k);
+    paint_cracks(p, now.wounds, SOUL, SHELL, 5);
+    if (now.attack)
+        paint_ball(p, SOUL, -7, -7, 7.5 + k, 7.5 + k, 0);
     paint_ball(p, (struct mat){ GLASS, 3, 8, 0.1 }, 11.5, 9.0, 13.5, 8.6, 0.09);
     for (int i = 0; i < 4; i++)
         paint_ball(p, SILVER, 4.0 + 6.0 * i, 3.0 + 1.6 * i, 1.4, 1.4, 0);
     paint_ball(p, LAMP, 15.6, 9.4, 4.6, 4.6, 0);
-    paint_ball(p, NIGHT, 16.6, 10.2, 2.7, 2.7, 0);
+    if (now.attack)
+        paint_ball(p, FLESH, 16, 9.8, 3.9, 3.9, 0);
+    paint_ball(p, NIGHT, 16.6, 10.2, now.attack ? 1.2 : 2.7, 2.7, 0);
     paint_ball(p, LAMP, 15.4, 8.8, 1.0, 1.0, 0);
     double a[2] = { 8, 16 }, c[2] = { -2 + swing, 17 }, b[2] = { -3 + swing, 20 };
     paint_curve(p, FLESH, a, c, b, 2.2, 1.4);
-    lamp(p, -3 + swing, 29, 6.2, k);
-    paint_done(p, s, x, 0, 1, 2);
+    lamp(p, -3 + swing, 29, now.attack ? 7.4 : 6.2, now.attack ? 3 + k : k - 2.5 * now.wounds);
+    paint_done(p, s, x, y, 1, 2);
 }
 
 struct sheet art_lantern_nautilus(void)
 {
-    struct sheet s = sheet_new(336, 80, 12);
+    struct sheet s = sheet_new(84 * BOSS_FRAMES, 80 * BOSS_ROWS, 12);
 
-    for (int i = 0; i < 4; i++)
-        lantern(&s, 84 * i, i);
+    art_boss(&s, 84, 80, lantern);
     return s;
 }
 
 /* -- the Chandelier Crab: its shell with the chandelier on it, and a claw, which is a part of its own -- */
 
-static void legs(struct paint *p, int frame)
+static void legs(struct paint *p, double frame, bool up)
 {
     for (int i = 0; i < 3; i++) {
-        double k = art_sway(frame, i * 0.33) * 2.0, kx = 47 - i * 4.0, ky = -20.0 + i * 12.0 + k;
+        double k = art_sway(frame, i * 0.33) * 2.0, kx = 47 - i * 4.0, ky = -20.0 + i * 12.0 + k - (up ? 5 : 0);
         double a[2] = { 24, -6.0 + i * 5.5 }, c[2] = { 38, ky - 5 }, b[2] = { kx, ky };
         paint_curve(p, PANE, a, c, b, 3.6, 2.6);
         paint_limb(p, PANE, kx, ky, 2.6, kx + 7.4 - i * 2.0, ky + 13.0 - k, 0.8);
@@ -193,29 +202,41 @@ static void legs(struct paint *p, int frame)
     }
 }
 
+/* A lamp of the chandelier; one that is out is a wick. */
+static void flame(struct paint *p, double x, double y, double r, double tall, struct state now, bool out)
+{
+    if (now.attack)
+        tall += 2.4;
+    if (out) {
+        paint_ball(p, (struct mat){ MATTE, 2, 4, 0 }, x, y, r, tall, 0);
+        return;
+    }
+    paint_ball(p, SOUL, x, y - (now.attack ? 1.6 : 0), now.attack ? r + 0.6 : r, tall, 0);
+    paint_ball(p, LAMP, x, y + 1, r * 0.4, tall * 0.45, 0);
+}
+
 /* Six arms of silver, a lamp on each, and a seventh on the stem. */
-static void candelabra(struct paint *p, int frame)
+static void candelabra(struct paint *p, struct state now)
 {
     static const double tips[3][2] = { { 12.5, -29 }, { 25.5, -24.5 }, { 36, -15 } };
 
     paint_limb(p, SILVER, 0, -10, 2.2, 0, -30, 1.5);
     for (int i = 2; i >= 0; i--) {
-        double tx = tips[i][0], ty = tips[i][1];
+        double tx = tips[i][0], ty = tips[i][1], tall = 4.2 + 0.5 * art_sway(now.frame, 0.3 * i);
         double a[2] = { 1, -12 }, c[2] = { tx * 0.95, -6 - 1.5 * i }, b[2] = { tx, ty + 5 };
         paint_mirror(p, true);
         paint_curve(p, SILVER, a, c, b, 1.7, 1.3);
         paint_limb(p, SILVER, tx - 2.6, ty + 4.6, 1.2, tx + 2.6, ty + 4.6, 1.2);
-        paint_ball(p, SOUL, tx, ty - 0.4, 2.7, 4.2 + 0.5 * art_sway(frame, 0.3 * i), 0);
-        paint_ball(p, LAMP, tx, ty + 0.6, 1.1, 1.9, 0);
         paint_mirror(p, false);
+        flame(p, tx, ty - 0.4, 2.7, tall, now, now.wounds > 2 - i);
+        flame(p, -tx, ty - 0.4, 2.7, tall, now, now.wounds && i == 1 + now.wounds % 2);
     }
     paint_limb(p, SILVER, -3, -30, 1.3, 3, -30, 1.3);
-    paint_ball(p, SOUL, 0, -35, 3.0, 4.6 + 0.5 * art_sway(frame, 0.5), 0);
-    paint_ball(p, LAMP, 0, -34, 1.2, 2.1, 0);
+    flame(p, 0, -35, 3.0, 4.6 + 0.5 * art_sway(now.frame, 0.5), now, false);
 }
 
 /* Drops of cut glass that hang from the rim of its shell. */
-static void pendants(struct paint *p, int frame)
+static void pendants(struct paint *p, double frame)
 {
     for (int i = 0; i < 4; i++) {
         double x = 4.5 + 8.4 * i, y = 20.5 - i * i * 1.1, sway = art_sway(frame, 0.12 * i) * 1.1,
@@ -233,14 +254,18 @@ static void pendants(struct paint *p, int frame)
     }
 }
 
-static void crab(struct sheet *s, int x, int frame)
+static const double CARAPACE[][4] = { { -26, -6, 0.06, 20 }, { 27, 12, 0.56, 16 }, { 14, -10, 0.22, 18 },
+                                      { -12, 20, 0.72, 15 }, { 30, 0, 0.48, 16 },  { -31, 8, 0.98, 18 } };
+
+static void crab(struct sheet *s, int x, int y, struct state now)
 {
     static const double spike[] = { 29, -7, 40, -8.5, 33.5, 1.5 };
     struct paint *p = paint_new(112, 88);
-    double k = art_sway(frame, 0) * 0.7, arm[3][2] = { { 24, 9 }, { 38, 6 }, { 43, 17 } };
+    double frame = now.frame, k = art_sway(frame, 0) * 0.7, glare = now.attack ? 2 : 0,
+           arm[3][2] = { { 24, 9 }, { 38, 6 }, { 43, 17 } };
 
     paint_mirror(p, true);
-    legs(p, frame);
+    legs(p, frame, now.attack);
     paint_curve(p, PANE, arm[0], arm[1], arm[2], 4.6, 4.0);
     paint_ball(p, SILVER, arm[2][0], arm[2][1], 3.4, 3.4, 0);
     paint_poly(p, SILVER, 3, spike, 2);
@@ -256,18 +281,23 @@ static void crab(struct sheet *s, int x, int frame)
     paint_limb(p, PANE, 8.6, 17, 2.2, 10.6, 24.6 + k, 1.8);
     paint_ball(p, LAMP, 10.8, 27 + k, 3.6, 3.6, 0);
     paint_ball(p, NIGHT, 10.9, 28.2 + k, 1.9, 1.9, 0);
+    if (now.attack) /* its lids come down */
+        paint_limb(p, PANE, 5.6, 26.4 + k, 1.9, 15, 22.4 + k, 1.9);
     paint_mirror(p, false);
-    candelabra(p, frame);
+    paint_cracks(p, now.wounds, SOUL, CARAPACE, 21);
+    candelabra(p, now);
     paint_ball(p, SILVER, 0, 4.6, 12, 9.4, 0);
     paint_ball(p, NIGHT, 0, 4.6, 10, 7.6, 0);
     paint_ball(p, FLESH, 0, 4.6, 9, 6.8, 0);
-    paint_ball(p, SOUL, 0, 4.6, 7.0 + k * 0.6, 5.2 + k * 0.6, 0);
+    paint_ball(p, SOUL, 0, 4.6, 7.0 + glare + k * 0.6, 5.2 + glare * 0.8 + k * 0.6, 0);
+    if (now.attack)
+        paint_ball(p, LAMP, 0, 4.6, 4.4 + k, 3.4 + k, 0);
     paint_ball(p, LAMP, -15, -6, 6, 1.6, -0.06);
-    paint_done(p, s, x, 0, 1, 2);
+    paint_done(p, s, x, y, 1, 2);
 }
 
 /* The right one; the left one is this, turned over. Its joint is at the top left. */
-static void claw(struct sheet *s, int x, int y, int frame)
+static void claw(struct sheet *s, int x, int y, double frame)
 {
     static const double out[] = { -8, -15, 6, -18, 14, -6, 12, 11, 3, 26, 2.6, 13, -1, 4, -9, 2 };
     static const double in[] = { -11, -6, -1, 2, -2, 13, -8, 24, -14, 11 };
@@ -293,12 +323,11 @@ static void claw(struct sheet *s, int x, int y, int frame)
 
 struct sheet art_crab(void)
 {
-    struct sheet s = sheet_new(448, 152, 12);
+    struct sheet s = sheet_new(112 * BOSS_FRAMES, 88 * BOSS_ROWS + 64, 12);
 
-    for (int i = 0; i < 4; i++) {
-        crab(&s, 112 * i, i);
-        claw(&s, 48 * i, 88, i);
-    }
+    art_boss(&s, 112, 88, crab);
+    for (int i = 0; i < BOSS_FRAMES; i++)
+        claw(&s, 48 * i, 88 * BOSS_ROWS, i * 4.0 / BOSS_FRAMES);
     return s;
 }
 

@@ -61,7 +61,7 @@ double art_clamp(double v, double lo, double hi)
     return v < lo ? lo : v > hi ? hi : v;
 }
 
-double art_sway(int frame, double phase)
+double art_sway(double frame, double phase)
 {
     return art_sin(frame / 4.0 + phase);
 }
@@ -496,6 +496,53 @@ static void outline(const struct sheet *from, struct sheet *to, int x0, int y0, 
                 c = bright;
             if (c)
                 sheet_set(to, x0 + x, y0 + y, c);
+        }
+    }
+}
+
+static void crack_line(struct paint *p, struct mat m, double x, double y, double turn, double length, double r,
+                       uint32_t seed)
+{
+    enum { STEPS = 5 };
+
+    for (int i = 0; i < STEPS; i++) {
+        double t = turn + art_pick(&seed, -0.11, 0.11), far = length / STEPS, thin = r * (1 - 0.14 * i);
+        double nx = x + far * art_cos(t), ny = y + far * art_sin(t);
+        paint_limb(p, m, x, y, thin, nx, ny, thin * 0.86);
+        x = nx;
+        y = ny;
+        if (i == 1 && length > 11)
+            crack_line(p, m, x, y, turn + (seed & 256 ? 0.14 : -0.14), length * 0.5, r * 0.8, seed);
+    }
+}
+
+void paint_cracks(struct paint *p, int wounds, struct mat glow, const double at[6][4], uint32_t seed)
+{
+    const double r = wounds > 1 ? 1.25 : 1;
+
+    glow = wounds > 1 ? glow : (struct mat){ FLAT, glow.lo, glow.lo + 1, 0.6 };
+    for (int i = 0; i < 3 * wounds; i++) {
+        const double *c = at[i];
+        crack_line(p, (struct mat){ FLAT, 1, 1, 0 }, c[0], c[1], c[2], c[3], 1.35 * r, seed + (uint32_t)i);
+        crack_line(p, glow, c[0], c[1], c[2], c[3] * 0.85, 0.75 * r, seed + (uint32_t)i);
+    }
+}
+
+void art_boss(struct sheet *s, int w, int h, void (*draw)(struct sheet *, int, int, struct state))
+{
+    for (int i = 0; i < BOSS_FRAMES; i++) {
+        struct state now = { i * 4.0 / BOSS_FRAMES, false, 0 };
+        draw(s, w * i, 0, now);
+        draw(s, w * i, h, (struct state){ now.frame, true, 0 });
+        for (now.wounds = 1; now.wounds < 3; now.wounds++) {
+            struct sheet own = sheet_new(w, h, 0);
+            draw(&own, 0, 0, now);
+            for (int k = 0; k < w * h; k++) {
+                int c = own.px[k], whole = sheet_get(s, w * i + k % w, k / w);
+                if (c && whole && c != whole)
+                    sheet_set(s, w * i + k % w, h * (1 + now.wounds) + k / w, c);
+            }
+            sheet_free(&own);
         }
     }
 }

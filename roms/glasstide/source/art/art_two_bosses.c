@@ -56,35 +56,44 @@ static void bellows_body(struct paint *p, double full, double k)
     paint_ball(p, BRASS, 0, 11, 4, 3.4, 0);
 }
 
-static void bellows(struct sheet *s, int x, int frame)
+/* Where leather and skin tear: x, y, direction, length. */
+static const double TEARS[][4] = { { -14, -8, 0.24, 18 }, { 30, -12, 0.22, 22 }, { -34, 2, 0.2, 18 },
+                                   { 15, 2, 0.3, 16 },    { 44, -4, 0.33, 14 },  { -24, -16, 0.17, 24 } };
+
+static void bellows(struct sheet *s, int x, int y, struct state now)
 {
     struct paint *p = paint_new(116, 96);
-    double k = art_sway(frame, 0), l = art_sway(frame, 0.25), lift = l * 6;
+    double frame = now.frame, k = art_sway(frame, 0), l = art_sway(frame, 0.25), lift = l * 6, roar = 0;
+    if (now.attack) {
+        lift = 5 + l * 2;
+        roar = 2;
+    }
     for (int i = 8; i >= 0; i--)
         paint_ball(p, i % 2 ? BRASS : IRON, art_sway(frame, 0.08 * i) * 0.5 * i, -27 - 2.3 * i, 3.4 - 0.3 * i, 2.2, 0);
     bellows_wings(p, k, lift);
-    bellows_body(p, 18 + 3.4 * k, k);
+    bellows_body(p, 18 + 3.4 * k + 2 * roar, k + roar);
+    paint_cracks(p, now.wounds, FIRE, TEARS, 40);
     paint_mirror(p, true);
     paint_bow(p, IRON, 6, 22, 17, 30, 10, 41 + l, 3.6, 1.4);
     paint_ball(p, BRASS, 10.2, 40 + l, 1.8, 1.8, 0);
     paint_ball(p, IRON, 10.6, 20, 5, 5, 0);
     paint_ball(p, LAMP, 11, 21.4, 3.2, 3.2, 0);
-    paint_ball(p, EMBER, 11.2, 22, 2.4, 2.4, 0);
+    if (!now.attack)
+        paint_ball(p, EMBER, 11.2, 22, 2.4, 2.4, 0);
     paint_ball(p, NIGHT, 11.2, 22.6, 1.2, 1.4, 0);
     paint_mirror(p, false);
     paint_limb(p, IRON, 0, 20, 7.6, 0, 30, 5);
     paint_ball(p, BRASS, 0, 31, 7.4, 3.8, 0);
-    paint_ball(p, NIGHT, 0, 32.4, 5.2, 2.4, 0);
-    paint_ball(p, FIRE, 0, 32.6, 3.6 + k * 0.6, 1.6, 0);
-    paint_done(p, s, x, 0, 1, 2);
+    paint_ball(p, NIGHT, 0, 32.4 + roar, 5.2 + roar, 2.4 + 1.6 * roar, 0);
+    paint_ball(p, FIRE, 0, 32.6 + roar, 3.6 + k * 0.6 + roar, 1.6 + 1.5 * roar, 0);
+    paint_done(p, s, x, y, 1, 2);
 }
 
 struct sheet art_two_bellows(void)
 {
-    struct sheet s = sheet_new(4 * 116, 96, 12);
+    struct sheet s = sheet_new(116 * BOSS_FRAMES, 96 * BOSS_ROWS, 12);
 
-    for (int i = 0; i < 4; i++)
-        bellows(&s, 116 * i, i);
+    art_boss(&s, 116, 96, bellows);
     return s;
 }
 
@@ -112,7 +121,7 @@ static const struct eel QUENCH = { { MATTE, 2, 8, 0.02 },
                                    -1 };
 
 /* Where its body is, t from the tail, 0, to the neck, 1; and how thick. */
-static void spine(const struct eel *e, int frame, double t, double *x, double *y, double *r)
+static void spine(const struct eel *e, double frame, double t, double *x, double *y, double *r)
 {
     double coil = 0.06 + 1.02 * t;
     *x = e->side * (27 - 12 * t) * art_sin(coil + 0.035 * art_sway(frame, -t)) + 1.6 * art_sway(frame, 0.3 - t);
@@ -121,14 +130,14 @@ static void spine(const struct eel *e, int frame, double t, double *x, double *y
 }
 
 /* Fins that stand off the body on both sides: Cinder's are flames. */
-static void eel_fins(struct paint *p, const struct eel *e, int frame)
+static void eel_fins(struct paint *p, const struct eel *e, double frame, double bristle)
 {
     for (int i = 1; i < 9; i++) {
         double t = i / 9.0, x, y, r, nx, ny, nr;
         spine(e, frame, t, &x, &y, &r);
         spine(e, frame, t + 0.05, &nx, &ny, &nr);
         double dx = nx - x, dy = ny - y, len = sqrt(dx * dx + dy * dy) + 0.01;
-        double far = r + 4 + 3 * (i % 2) + 1.6 * art_sway(frame, 0.37 * i);
+        double far = r + 4 + bristle + 3 * (i % 2) + 1.6 * art_sway(frame, 0.37 * i);
         dx /= len;
         dy /= len;
         for (int side = -1; side <= 1; side += 2) {
@@ -140,7 +149,7 @@ static void eel_fins(struct paint *p, const struct eel *e, int frame)
     }
 }
 
-static void eel_body(struct paint *p, const struct eel *e, int frame)
+static void eel_body(struct paint *p, const struct eel *e, double frame)
 {
     enum { PIECES = 40 };
     double px, py, pr;
@@ -161,12 +170,22 @@ static void eel_body(struct paint *p, const struct eel *e, int frame)
     }
 }
 
-static void cinder_head(struct paint *p, int frame)
+/* Its head breaks, and what it is filled with shows. */
+static void eel_cracks(struct paint *p, const struct eel *e, struct state now)
+{
+    static const double at[][4] = { { -12, -8, 0.11, 15 }, { 11, 7, 0.72, 13 },  { -5, 14, 0.68, 12 },
+                                    { 4, -12, 0.2, 14 },   { -13, 3, 0.02, 12 }, { 8, 15, 0.7, 12 } };
+    paint_cracks(p, now.wounds, e->glow, at, 61);
+    if (now.wounds > 1) /* an eye is out */
+        paint_ball(p, NIGHT, -7.6, 1.8, 3.6, 3, 0);
+}
+
+static void cinder_head(struct paint *p, struct state now)
 {
     static const double jaw[] = { -8, 4, -9, 13, -4.6, 21, 4.6, 21, 9, 13, 8, 4 };
     static const double horn[] = { 7, -9, 15, -17, 20, -27, 12, -21, 3, -12 };
     static const double brow[] = { 2, -5, 12.6, -9, 16, -2, 10, -1.4, 3, 1 };
-    double k = art_sway(frame, 0), gape = 1 + k;
+    double k = art_sway(now.frame, 0), gape = 1 + k, roar = now.attack ? 2.2 : 0;
     paint_mirror(p, true);
     paint_poly(p, CINDER.ring, 5, horn, 1.6);
     paint_bow(p, CINDER.fin, 9, 2, 18, 1 + k, 19 + k, 9, 3.4, 0.6);
@@ -174,25 +193,28 @@ static void cinder_head(struct paint *p, int frame)
     paint_mirror(p, false);
     paint_ball(p, CINDER.hide, 0, -2, 13.6, 12, 0);
     paint_poly(p, CINDER.plate, 6, jaw, 3);
-    paint_ball(p, NIGHT, 0, 12.6, 5.6, 6.4 + gape * 0.5, 0);
-    paint_ball(p, FIRE, 0, 13, 4.6, 5.2 + gape * 0.5, 0);
-    for (int i = -1; i <= 1; i++)
+    paint_ball(p, NIGHT, 0, 12.6 + roar * 0.6, 5.6 + roar, 6.4 + gape * 0.5 + roar, 0);
+    paint_ball(p, FIRE, 0, 13 + roar * 0.6, 4.6 + roar, 5.2 + gape * 0.5 + roar, 0);
+    for (int i = -1; i <= 1 && !now.attack; i++)
         paint_limb(p, CINDER.ring, i * 3.4, 6.6, 0.8, i * 3, 18.6, 0.7);
+    if (now.attack)
+        paint_ball(p, LAMP, 0, 15, 3 + 0.6 * k, 4 + k, 0);
     paint_mirror(p, true);
     paint_ball(p, NIGHT, 8, 1, 3.6, 3, 0.05);
-    paint_ball(p, LAMP, 7.8, 1.4, 2.3, 1.8, 0.05);
+    paint_ball(p, LAMP, 7.8, 1.4, 2.3 + roar * 0.3, 1.8 + roar * 0.2, 0.05);
     paint_poly(p, CINDER.plate, 5, brow, 1.8);
     paint_mirror(p, false);
     paint_ball(p, CINDER.ring, 0, -7, 3.8, 4.6, 0);
     paint_ball(p, FIRE, 0, -7, 2.4, 3, 0);
+    eel_cracks(p, &CINDER, now);
 }
 
-static void quench_head(struct paint *p, int frame)
+static void quench_head(struct paint *p, struct state now)
 {
     static const double crest[] = { -3, -2, -6, -16, 0, -29, 6, -16, 3, -2 };
     static const double snout[] = { -9, 2, -7.4, 12, -3.2, 22, 3.2, 22, 7.4, 12, 9, 2 };
-    double k = art_sway(frame, 0), l = art_sway(frame, 0.25);
-    double veil[] = { 9, -9, 19, -13 - k * 2, 22, -3 - k * 2, 17, 7 - k, 9, 6 };
+    double k = art_sway(now.frame, 0), l = art_sway(now.frame, 0.25), hiss = now.attack ? 3 : 0;
+    double veil[] = { 9, -9, 19 + hiss, -13 - k * 2 - hiss, 22 + 2 * hiss, -3 - k * 2 - hiss, 17 + hiss, 7 - k, 9, 6 };
     double vent[] = { 8, 4, 14, 8 + l, 15, 16 + l * 2, 10, 13, 6, 9 };
     paint_mirror(p, true);
     paint_fin(p, QUENCH.fin, 5, -1, 5, veil, 0.14);
@@ -204,39 +226,62 @@ static void quench_head(struct paint *p, int frame)
     paint_limb(p, QUENCH.plate, 0, -9, 2.6, 0, 18, 1.6);
     paint_mirror(p, true);
     paint_ball(p, NIGHT, 6.6, 2.4, 3.4, 2.6, -0.09);
-    paint_ball(p, LAMP, 6.8, 2.6, 2.2, 1.5, -0.09);
+    paint_ball(p, LAMP, 6.8, 2.6, 2.2 + hiss * 0.3, 1.5 + hiss * 0.3, -0.09);
     paint_limb(p, NIGHT, 1.6, 18.4, 0.7, 4.6, 12.6, 0.7);
     paint_ball(p, QUENCH.ring, 9.6, -4.6, 1.8, 1.8, 0);
     paint_mirror(p, false);
     paint_ball(p, QUENCH.ring, 0, -8.4, 3, 3.6, 0);
-    paint_ball(p, QUENCH.glow, 0, -8.4, 1.9, 2.3, 0);
+    paint_ball(p, QUENCH.glow, 0, -8.4, 1.9 + hiss * 0.3, 2.3 + hiss * 0.3, 0);
+    if (now.attack) { /* its snout opens */
+        paint_ball(p, NIGHT, 0, 16.6, 4.2, 5, 0);
+        paint_ball(p, QUENCH.glow, 0, 17, 3 + 0.4 * k, 3.8 + 0.4 * k, 0);
+    }
+    eel_cracks(p, &QUENCH, now);
 }
 
-static void eel(struct sheet *s, int x, const struct eel *e, int frame, void (*head)(struct paint *p, int frame))
+static void eel(struct sheet *s, int x, int y, const struct eel *e, struct state now,
+                void (*head)(struct paint *, struct state))
 {
     struct paint *p = paint_new(84, 92), *h = paint_new(84, 56);
-    eel_fins(p, e, frame);
-    eel_body(p, e, frame);
-    paint_done(p, s, x, 0, 1, 2);
-    head(h, frame);
-    paint_done(h, s, x, 36, 1, 2);
+    eel_fins(p, e, now.frame, now.attack ? 3 : 0);
+    eel_body(p, e, now.frame);
+    double body[6][4];
+    for (int i = 0; i < 6; i++) {
+        double r;
+        spine(e, now.frame, 0.2 + 0.11 * i, &body[i][0], &body[i][1], &r);
+        body[i][0] -= r * 0.7;
+        body[i][2] = 0.06;
+        body[i][3] = r * 1.6;
+    }
+    paint_cracks(p, now.wounds, e->glow, body, 11);
+    paint_done(p, s, x, y, 1, 2);
+    head(h, now);
+    paint_done(h, s, x, y + 36, 1, 2);
+}
+
+static void cinder(struct sheet *s, int x, int y, struct state now)
+{
+    eel(s, x, y, &CINDER, now, cinder_head);
+}
+
+static void quench(struct sheet *s, int x, int y, struct state now)
+{
+    eel(s, x, y, &QUENCH, now, quench_head);
 }
 
 struct sheet art_two_cinder(void)
 {
-    struct sheet s = sheet_new(4 * 84, 92, 12);
+    struct sheet s = sheet_new(84 * BOSS_FRAMES, 92 * BOSS_ROWS, 12);
 
-    for (int i = 0; i < 4; i++)
-        eel(&s, 84 * i, &CINDER, i, cinder_head);
+    art_boss(&s, 84, 92, cinder);
     return s;
 }
 
 struct sheet art_two_quench(void)
 {
-    struct sheet s = sheet_new(4 * 84, 92, 11);
+    struct sheet s = sheet_new(84 * BOSS_FRAMES, 92 * BOSS_ROWS, 11);
 
-    for (int i = 0; i < 4; i++)
-        eel(&s, 84 * i, &QUENCH, i, quench_head);
+    art_boss(&s, 84, 92, quench);
     return s;
 }
 

@@ -18,6 +18,7 @@ local function gibbous(e)
   if board.difficulty() ~= "easy" then task.go(wheel, e, "petal", 5, -5) end
   while true do
     wait(by(150, 80, 100, 82))
+    late.glare(e, 40)
     pattern.fan { from = e, kind = "kunai", bank = 1, aim = true, spread = 40, speed = 2,
                   n = by(1, 3, 5, 3),
                   each = function(a)
@@ -66,6 +67,7 @@ local function half(e)
                    n = by(23, 43, 48, 66),
                    each = refract }
     if k % by(6, 4, 3, 4) == 0 then
+      late.glare(e, 40)
       pattern.fan { from = e, kind = "big", bank = 1, aim = true, spread = 64, speed = 1.7,
                     delay = 24, n = by(1, 2, 3, 3) }
     end
@@ -108,6 +110,7 @@ local function crescent(e)
   for k = 1, forever do
     wait(20)
     local way = k % 2 == 0 and 1 or -1
+    late.glare(e, 30)
     reap(e, 0, true, way)
     wait(by(39, 22, 13, 14))
     if board.difficulty() ~= "easy" then
@@ -128,7 +131,7 @@ end
 
 boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 100,
   epithet = "That Which Pulls the Water", entrance = "bubbles", bg = "moon",
-  music = "moon", portrait = "moon_cross",
+  music = "moon", portrait = "moon_cross", hurt = "moon_hurt", broken = "moon_broken",
   warning = 150, phases = {
     { id = "gibbous", hp = 1600, time = 45 * 60, run = tolled(gibbous), clear = FOAM,
       drops = { pearl = 8 } },

@@ -2,6 +2,15 @@
 local by = require "stages/three/by"
 local late = {}
 
+-- Its eye opens wide, whatever its phase, while it fires hard.
+function late.glare(e, over)
+  task.go(function()
+    local eye = sprite.put { sprite = "moon_glare", follow = e, layer = "middle" }
+    wait(over)
+    eye:remove()
+  end)
+end
+
 -- Slow stars aimed at you, one after another. Keep moving a little to pass them.
 function late.stream(e, every, bank)
   while true do
@@ -48,6 +57,7 @@ function late.new(e)
          (at > 104 and -1 or at < 76 and 1 or (rng.chance(0.5) and 1 or -1))
     maze_ring(e, at, way, by("pellet", "orb", "orb", "orb"), way > 0 and 6 or 7)
     if k % 4 == 0 then
+      late.glare(e, 40)
       pattern.aimed { from = e, kind = "needle", bank = 1, speed = 2.2, every = 9, delay = 20,
                       n = by(1, 2, 3, 4) }
     end

@@ -13,7 +13,8 @@ creature("jelly",    WARM, 28, 26, 70,  1500,  large, { pearl = 3 })
 creature("ray",      COLD, 40, 26, 60,  1600,  large, { pearl = 3 })
 creature("urchin",   COLD, 28, 28, 90,  2400,  burst, { pearl = 4 })
 creature("nautilus", WARM, 32, 32, 150, 5000,  large, { pearl = 6, conch = 1 })
-creature("lantern_nautilus", COLD, 54, 46, 100, 15000, huge, { pearl = 8, conch = 1 })
+creature("lantern_nautilus", COLD, 54, 46, 100, 15000, huge, { pearl = 8, conch = 1 },
+         { attack = "lantern_nautilus_attack" })
 
 -- A float is harmless and stops bullets, so it is a shelter until it breaks.
 enemy.def("float", { sprite = "float", bank = WARM, hit = { circle = 15 }, hp = 160, score = 800,
@@ -51,6 +52,6 @@ enemy.def("claw", { sprite = "claw", bank = COLD, hit = { box = { 26, 44 } }, hp
 
 enemy.def("crab", { sprite = "crab", bank = COLD, hit = { box = { 58, 34 } }, hp = 100, blink_soft = true,
                     score = 30000, spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip,
-                    on_death = collapse, drops = { pearl = 9 }, parts = {
+                    on_death = collapse, drops = { pearl = 9 }, pictures = { attack = "crab_attack" }, parts = {
   { kind = "claw", dx = -52, dy = 42, share = 0.6, tag = "left claw" },
   { kind = "claw", dx = 52, dy = 42, share = 0.6, tag = "right claw" } } })

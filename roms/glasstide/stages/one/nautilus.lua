@@ -1,5 +1,6 @@
 -- stages/one/nautilus.lua - the Lantern Nautilus, which has taken a ship's lamp. It appears after
 -- the wreck.
+local pose = require "pose"
 local rank = require "rank"
 
 local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
@@ -15,6 +16,7 @@ local function flare(e)
     wait(by_difficulty { easy = 150, normal = 120, hard = 88, abyss = 80 })
     spark.burst { kind = "shock", from = e, dx = LAMP.dx, dy = LAMP.dy, speed = 0 }
     sound.play("charge", { from = e })
+    pose(e, 50)
     wait(24)
     pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "needle", bank = GOLD, aim = true,
                   spread = by_difficulty { easy = 40, normal = 48, abyss = 60 }, speed = 2.2,
@@ -88,6 +90,7 @@ local function chambers(e)
     e:move { x = rng.int(96, 144), y = rng.int(76, 92), over = 30, ease = "both" }
     wait(30)
     sound.play("still", { from = e })
+    pose(e, 60)
     wind(e, n, arms, 40 * k, way, "orb", by_difficulty(unwind))
     if by_difficulty { easy = false, hard = true } then
       wind(e, by_difficulty { easy = 0, hard = 33, abyss = 40 }, 1, 40 * k + 180, -way, "pellet",
@@ -107,7 +110,8 @@ local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x = 120, y = 86,
                        entrance = "bubbles",
-                       music = "lantern", portrait = "lantern_nautilus", phases = {
+                       music = "lantern", portrait = "lantern_nautilus",
+                       hurt = "lantern_nautilus_hurt", broken = "lantern_nautilus_broken", phases = {
   { id = "lantern", hp = 1240, time = 30 * 60, run = lantern, clear = FOAM, drops = { pearl = 5 } },
   { id = "chambers", spell = "Spiral Sign: Chambered Lamp", hp = 1200, time = 34 * 60,
     bonus = 12000, bonus_to = 4000, run = chambers, clear = FOAM, drops = { pearl = 6 } } } })

@@ -1,6 +1,7 @@
 -- stages/three/angler.lua - the midboss, in lightless water: the Anglerlamp. Only its eyes, its
 -- teeth, and the lamp that it holds out are visible.
 local kinds = require "kinds"
+local pose = require "pose"
 local by = require "stages/three/by"
 local pace = require "stages/three/pace"
 local scene = require "stages/three/scene"
@@ -34,6 +35,7 @@ enemy.def("lantern", { sprite = "lantern", hit = { circle = 11 }, hp = 60000, sp
 enemy.def("angler", { sprite = "angler", hit = { box = { 76, 62 } }, hp = 100, score = 40000,
                       spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip,
                       on_death = kinds.huge, drops = { pearl = 10, conch = 1 }, run = stalk,
+                      pictures = { attack = "angler_attack" },
                       parts = { { kind = "lantern", dx = 0, dy = 44, share = 1, tag = "lamp" } } })
 
 -- The lamp flares: everything is visible for a moment, then fades back into the dark.
@@ -107,6 +109,7 @@ local function bait(e)
                        motion = "slow bow " .. side }
       end
     end
+    pose(e, 70)
     wait(24)
     pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true,
                   spread = by(0, 40, 54, 80), n = by(1, 5, 7, 11), delay = 20,
@@ -165,6 +168,7 @@ local function match(e)
       spark.burst { kind = "ping", from = lamp, n = 10, radius = LIT - 22, speed = 1.4 }
       wait(6)
     end
+    pose(e, 40)
     strike(lamp)
     wait(by(74, 54, 47, 46))
     swing(e, 60)
@@ -222,6 +226,7 @@ local function teeth(e)
   for k = 1, forever do
     flare()
     sound.play("charge", { from = e })
+    pose(e, 90)
     jaws(k)
     wait(44)
     e:move { x = 120 + 30 * angle.sin(77 * k), y = 88, over = 80, ease = "both" }
@@ -232,7 +237,7 @@ end
 local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 94, music = "lantern",
-  entrance = "bubbles", bg = "lightless",
+  entrance = "bubbles", bg = "lightless", hurt = "angler_hurt", broken = "angler_broken",
   phases = {
   { id = "bait", hp = 1800, time = 34 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
   { id = "match", spell = "Lamp Sign: Struck Match", hp = 1720, time = 40 * 60, bonus = 20000,

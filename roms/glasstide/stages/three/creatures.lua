@@ -34,4 +34,4 @@ enemy.def("quay_lamp", { sprite = "lamp_out", bank = VIOLET, hit = { circle = 13
   bullet.sweep { x = e.x, y = e.y, radius = 8, radius_to = 72, over = 16, spark = "pop", items = "foam" }
 end })
 
-creature("queen",  VIOLET, 60, 66, 100, 120000, kinds.collapse, { pearl = 15 })
+creature("queen",  VIOLET, 60, 66, 100, 120000, kinds.collapse, { pearl = 15 }, { attack = "queen_attack" })

@@ -1,6 +1,7 @@
 -- stages/three/queen.lua - the boss on the sea floor: the Queen of the Glass Tide, five phases and
 -- the one she returns with.
 local kinds = require "kinds"
+local pose = require "pose"
 local sea = require "sea"
 local by = require "stages/three/by"
 local pace = require "stages/three/pace"
@@ -39,6 +40,7 @@ local function wheels(e)
                             arms = by(2, 4, 10, 10) })
   while true do
     wait(110)
+    pose(e, 50)
     pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
                   speed = fast(1.9, 2.4, 2.5, 1.8), n = by(1, 3, 6, 7),
                   each = function(a) a.n, a.speed_to = 3, a.speed + 1 pattern.stack(a) end }
@@ -100,6 +102,7 @@ local function held(e)
     do
       local still <close> = sea.still()
       sound.play("still", { from = e })
+      pose(e, 90)
       bullet.group().frozen = forever
       breath.bank = 0
       gather(by(2, 4, 6, 12))
@@ -150,6 +153,7 @@ local function ebb(e)
   task.go(rain_over, e)
   for k = 1, forever do
     wait(by(96, 61, 50, 90))
+    pose(e, 60)
     wall((by(9.5, 12.5, 12.5, 12.5) + 3.5 * angle.sin(80 * k)) // 1)
     pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
                   speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 1) }
@@ -186,6 +190,7 @@ local function flower(e, full)
   local right = by("bloom right", "bloom right", "bloom right", "slow flower right")
   for k = 1, forever do
     local turn = 23 * k
+    if k % 3 == 1 then pose(e, 44) end
     petals(e, turn, left, 3)
     wait(12)
     petals(e, turn + 12, right, 5)
@@ -219,7 +224,8 @@ end
 
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
                     epithet = "She Who Took Back the Sea", entrance = "bubbles", bg = "court",
-                    portrait = "queen_face", music = "queen", warning = 120, phases = {
+                    portrait = "queen_face", music = "queen", warning = 120,
+                    hurt = "queen_hurt", broken = "queen_broken", phases = {
   { talk = meeting },
   { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,
     drops = { pearl = 8 } },
@@ -234,7 +240,7 @@ boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, 
 
 -- Outlasting her is not enough: she returns until she breaks.
 boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
-  music = "queen", bg = "court",
+  music = "queen", bg = "court", hurt = "queen_broken",
   phases = { { id = "again", spell = "The Tide Returns", hp = 800, time = 40 * 60,
                bonus = 30000, bonus_to = 5000, run = again } } })
 

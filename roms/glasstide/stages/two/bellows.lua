@@ -1,4 +1,5 @@
 -- stages/two/bellows.lua - halfway through the works: the Bellows, a ray that breathes bubbles.
+local pose = require "pose"
 local rank = require "rank"
 
 local function wander(e, over)
@@ -33,6 +34,7 @@ local function breath(e)
   wait(20)
   for k = 1, forever do
     sound.play("steam", { from = e })
+    pose(e, 40)
     if k > BLOWS then
       blow(e, k % 2 == 0 and 1 or -1)
     else
@@ -99,6 +101,7 @@ local function draught(e)
     sound.play("charge", { from = e })
     inhale()
     sound.play("steam", { from = e })
+    pose(e, 160)
     swung = exhale(swung, k % 2 == 0 and -1 or 1)
     pattern.fan { from = e, dy = 30, kind = "gob", bank = 5, aim = true, spread = 70, speed = 1.6,
                   delay = 20, n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 } }
@@ -133,6 +136,7 @@ local function wheels(e)
     local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 0.95, abyss = 1 }
     local n = by_difficulty { easy = 2, hard = 3 }
     sound.play("gear", { from = e })
+    pose(e, 60)
     if k % 3 == 0 then
       for side = -1, 1, 2 do wheel(120 + 96 * side, 40, 90 + 32 * side, side < 0, 1.2 * speed) end
     else
@@ -151,7 +155,7 @@ end
 local FOAM = { items = "foam", spark = "pop" } -- what its bullets become when a phase is beaten
 
 boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 86, music = "lantern",
-                      entrance = "bubbles", bg = "hearth",
+                      entrance = "bubbles", bg = "hearth", hurt = "bellows_hurt", broken = "bellows_broken",
                       phases = {
   { id = "breath", hp = 1560, time = 30 * 60, run = breath, clear = FOAM, drops = { pearl = 5 } },
   { id = "draught", spell = "Breath Sign: Held Draught", hp = 1500, time = 34 * 60, bonus = 12000,

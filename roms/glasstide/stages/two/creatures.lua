@@ -29,7 +29,7 @@ rolling("ladle",  46, 90,  1600, burst, { pearl = 3 })
 local function boss_kind(name, w, h, score, on_death)
   enemy.def(name, { sprite = name, hit = { box = { w, h } }, hp = 100, score = score,
                     spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip,
-                    on_death = on_death, drops = { pearl = 8 } })
+                    on_death = on_death, drops = { pearl = 8 }, pictures = { attack = name .. "_attack" } })
 end
 
 boss_kind("bellows", 64, 60, 20000, function(e)

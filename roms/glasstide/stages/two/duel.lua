@@ -13,10 +13,34 @@ end
 
 local CRIES <const> = { cinder = "cinder_cry", quench = "quench_cry" }
 
+local ABOVE <const> = -48 -- y where a boss that dropped out waits for the next phase
+
+-- A boss whose bar is empty breaks and sinks behind the fight; its body is out of the way at once.
+local function drop_out(e, name)
+  local image = { x = e.x, y = e.y, sprite = name, bank = e.bank, layer = "back" }
+  fx.explode { from = e, size = "large" }
+  sound.play("shatter", { from = e })
+  e.x, e.y, e.picture = e.x, ABOVE, nil
+  local body = sprite.put(image)
+  image.sprite = name .. "_broken"
+  local wounds = sprite.put(image)
+  task.own(body, function()
+    for k = 1, forever do
+      body.x, body.y = body.x + 0.5 * angle.sin(6 * k), body.y + math.min(k / 24, 3)
+      wounds.x, wounds.y = body.x, body.y
+      if k % 4 == 0 then spark.burst { kind = "bubbles", from = body, n = 2, radius = 16, speed = 0.6 } end
+      if body.y > rom.view.h + 64 then body:remove() end
+      wait(1)
+    end
+  end)
+end
+
 -- A boss that is left alone cries out and glows.
 local function mourn(e)
   wait(2)
   wait_until(function() return angry(e) end)
+  local gone = other(e)
+  if gone.alive then drop_out(gone, gone == pair_of.cinder and "cinder" or "quench") end
   sound.play(CRIES[e == pair_of.cinder and "cinder" or "quench"], { from = e })
   screen.shake { size = 2, over = 20 }
   spark.burst { kind = "shock", from = e, speed = 0 }
