@@ -293,6 +293,7 @@ local rom = {
                  palette = "three" },
     -- the moon
     water    = { tiles = "art/water.png",  bank = 13, file = "maps/floor.csv", palette = "moon" },
+    town     = { tiles = "art/water.png",  bank = 13, file = "maps/town.csv", palette = "moon" },
     moonlight = { tiles = "art/water.png", bank = 13, file = "maps/caustics.csv", palette = "moon" },
 
   },

@@ -340,14 +340,14 @@ static const struct key THREE[4][12] = {
       { 13, 0xf070c0 },
       { 14, 0xf0e6ff },
       { 15, 0xffffff } },
-    /* 13 the abyss: 1..12 violet slate, 13..15 what glimmers in it */
-    { { 1, 0x06050f },
-      { 4, 0x100d20 },
-      { 8, 0x292246 },
-      { 12, 0x4c4170 },
-      { 13, 0x40306c },
-      { 14, 0x6c549a },
-      { 15, 0xb0a0d4 } },
+    /* 13 the abyss: 1..12 indigo slate, 13..15 what glimmers in it */
+    { { 1, 0x06081c },
+      { 4, 0x121a40 },
+      { 8, 0x26386a },
+      { 12, 0x486092 },
+      { 13, 0x345088 },
+      { 14, 0x5878b4 },
+      { 15, 0xa8c4ec } },
 };
 static const struct key MOON[4][12] = {
     /* 10 silver: 2..9 metal, 10..13 what is inside */
@@ -386,13 +386,13 @@ static const struct key MOON[4][12] = {
       { 14, 0xf4f8fa },
       { 15, 0xffffff } },
     /* 13 black water: 1..12, 13..15 moonlight on it */
-    { { 1, 0x040507 },
-      { 4, 0x0a0d12 },
-      { 8, 0x1a2028 },
-      { 12, 0x3c4650 },
-      { 13, 0x343c44 },
-      { 14, 0x5e6870 },
-      { 15, 0xa8b0b6 } },
+    { { 1, 0x070c18 },
+      { 4, 0x142032 },
+      { 8, 0x2c4256 },
+      { 12, 0x4c6072 },
+      { 13, 0x3c4e60 },
+      { 14, 0x6c8090 },
+      { 15, 0xb4c2ca } },
 };
 
 /* The story's pictures, banks 8 to 15: 1..7 what is far, 8..11 what is near, 12..15 what shines. Those of text stay. */

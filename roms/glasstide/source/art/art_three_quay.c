@@ -30,7 +30,7 @@ static double inside(int x, int y)
 static int cobble(int x, int y)
 {
     int row = y / 10, shift = row % 2 ? 7 : 0, col = (x + shift) / 14, px = (x + shift) % 14, py = y % 10;
-    double tone = 4.4 + 2.2 * (grain(col, row) - 0.5);
+    double tone = 3.3 + 1.8 * (grain(col, row) - 0.5);
 
     if (px == 13 || py == 9 || grain(col + 31, row) < 0.05)
         return 1;
@@ -48,7 +48,7 @@ static void stones(struct sheet *s)
             if (in > 9)
                 sheet_set(s, x, y, cobble(x, y));
             else if (in > 0) /* the kerb: long stones */
-                sheet_set(s, x, y, y % 40 == 39 ? 1 : in < 1.5 ? 3 : in > 7.5 ? 10 : y % 40 == 0 ? 9 : 7);
+                sheet_set(s, x, y, y % 40 == 39 ? 1 : in < 1.5 ? 2 : in > 7.5 ? 8 : y % 40 == 0 ? 7 : 5);
             else if (in > -16) /* the wall below the edge */
                 sheet_set(s, x, y, (int)art_clamp(3.4 + in / 6 + art_dither(x, y) - (y % 12 == 11), 1, 4));
         }

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-enum { GROUND = 256, PLATES = 128, WIDE = 256, TALL = 320 };
+enum { GROUND = 256, PLATES = 128, WIDE = 256, TALL = 320, DEEP = 2 * TALL };
 
 static const struct mat STONE = { MATTE, 1, 7, -0.02 }, BONE = { MATTE, 3, 11, 0.02 }, LINK = { GLASS, 2, 11, -0.02 };
 static const struct mat EMBER = { FLAT, 14, 14, 0 }, SPARK = { FLAT, 15, 15, 0 }, FAINT = { FLAT, 13, 13, 0 };
@@ -163,24 +163,73 @@ static void snow(struct sheet *s, int y0)
     }
 }
 
-/* Far below: folds of dark water, so that nothing is black for want of a picture. */
+/* The lighthouse that sank: it leans on its rock, and its lamp still burns. */
+enum { LAMP_X = 168, LAMP_Y = 236 };
+
+static void lighthouse(struct paint *p)
+{
+    static const struct mat wall = { MATTE, 4, 12, 0.04 }, band = { MATTE, 3, 8, 0 }, rock = { MATTE, 2, 8, 0 };
+    const double top[2] = { LAMP_X - WIDE / 2.0, LAMP_Y - DEEP / 2.0 }, foot[2] = { top[0] - 26, top[1] + 250 };
+    uint32_t seed = 77;
+
+    for (int i = 0; i < 7; i++) { /* seven bands, light and dark in turn, wider towards the bottom */
+        double a = (i + 0.55) / 7.6, b = (i + 1.55) / 7.6, wide = 13 + 13 * a, low = 13 + 13 * b;
+        double ax = top[0] + (foot[0] - top[0]) * a, ay = top[1] + (foot[1] - top[1]) * a;
+        double bx = top[0] + (foot[0] - top[0]) * b, by = top[1] + (foot[1] - top[1]) * b;
+        double course[] = { ax - wide, ay, ax + wide, ay + 3, bx + low, by + 3, bx - low, by };
+        paint_poly(p, i % 2 ? band : wall, 4, course, 11);
+        if (i % 2 == 0)
+            paint_ball(p, (struct mat){ FLAT, 1, 1, 0 }, (ax + bx) / 2, (ay + by) / 2, 2.6, 4.6, 0.01);
+    }
+    double gallery[] = { top[0] - 21, top[1] + 14, top[0] + 21, top[1] + 17,
+                         top[0] + 17, top[1] + 23, top[0] - 18, top[1] + 20 };
+    paint_poly(p, wall, 4, gallery, 2.4);
+    for (int i = -3; i <= 3; i++)
+        paint_limb(p, band, top[0] + 6 * i, top[1] + 8 + 0.4 * i, 0.8, top[0] + 6 * i, top[1] + 15 + 0.4 * i, 0.8);
+    paint_limb(p, band, top[0] - 20, top[1] + 7, 0.9, top[0] + 20, top[1] + 10, 0.9);
+    paint_ball(p, (struct mat){ GLASS, 4, 9, 0 }, top[0], top[1], 11, 13, 0);
+    paint_ball(p, FAINT, top[0], top[1] + 1, 7, 8, 0);
+    paint_ball(p, EMBER, top[0], top[1] + 1, 4.4, 5.4, 0);
+    paint_ball(p, SPARK, top[0], top[1] + 1, 2, 2.8, 0);
+    double roof[] = { top[0] - 14, top[1] - 8, top[0] + 1, top[1] - 26, top[0] + 14, top[1] - 6 };
+    paint_poly(p, band, 3, roof, 4);
+    for (int i = 0; i < 26; i++) {
+        double x = foot[0] + art_pick(&seed, -62, 66), size = art_pick(&seed, 9, 24);
+        paint_ball(p, rock, x, foot[1] + art_pick(&seed, -6, 34), size, size * 0.7, art_pick(&seed, -0.1, 0.1));
+    }
+}
+
+/* How much of the lamp's two beams there is at a pixel. */
+static double beam(int x, int y)
+{
+    double dx = x - LAMP_X, dy = y - LAMP_Y - 0.22 * dx, far = fabs(dx);
+    double across = fabs(dy) / (5 + 0.2 * far);
+    return across < 1 && far > 9 ? (1 - across) * art_clamp(1.3 - far / 150, 0, 1) : 0;
+}
+
+/* Far below: folds of dark water, so that nothing is black for want of a picture, and a landmark. */
 static void water(struct sheet *s, int y0)
 {
     static const double order[2][2] = { { 0.125, 0.625 }, { 0.875, 0.375 } };
-    for (int y = 0; y < TALL; y++) {
+    struct paint *p = paint_new(WIDE, DEEP);
+
+    for (int y = 0; y < DEEP; y++) {
         for (int x = 0; x < WIDE; x++) {
             double u = (double)x / WIDE, v = (double)y / TALL,
                    bend = 0.16 * art_sin(2 * v + u) + 0.1 * art_sin(u * 3 - v);
             double fold = art_sin(3 * v + bend * 2 + u) + 0.8 * art_sin(2 * u + 2 * v + bend * 3) +
                           0.5 * art_sin(5 * v - u + bend);
-            sheet_set(s, x, y0 + y, (int)art_clamp(2.2 + fold * 0.95 + order[y & 1][x & 1], 1, 5));
+            double shade = 3.2 + fold * 1.15 + 4.2 * beam(x, y);
+            sheet_set(s, x, y0 + y, (int)art_clamp(shade + order[y & 1][x & 1], 1, 8));
         }
     }
+    lighthouse(p);
+    paint_done(p, s, 0, y0, 1, 1);
 }
 
 struct sheet art_abyss_tiles(void)
 {
-    struct sheet s = sheet_new(WIDE, 4 * TALL, 13);
+    struct sheet s = sheet_new(WIDE, 3 * TALL + DEEP, 13);
     chains(&s, 0);
     walls(&s, TALL);
     snow(&s, 2 * TALL);

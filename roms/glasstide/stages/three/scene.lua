@@ -20,7 +20,7 @@ local function ground(horizon, height, far)
   local floor = bg.plane()
   floor.map, floor.x = "trench", 70
   floor.horizon, floor.height, floor.dir = horizon, height, 270
-  floor.fog = { to = 0x060a14, far = far }
+  floor.fog = { to = 0x0a1028, far = far }
   return { floor, -2 }
 end
 
