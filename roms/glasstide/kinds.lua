@@ -85,10 +85,15 @@ local COLD, WARM = 0, 1 -- the two colours of glass
 local BLINK = 8 -- frames that a hurt creature blinks; a quarter of them are white
 local LARGE = 36 -- px: hitboxes from this size on blink softly, or the screen would flash
 
+-- The pictures of a creature that turns to where it flies, flinches, and shows that it will fire.
+local function poses(name)
+  return { left = name .. "_left", right = name .. "_right", hurt = name .. "_hurt", attack = name .. "_attack" }
+end
+
 local function creature(name, bank, w, h, hp, score, on_death, drops, pictures)
   enemy.def(name, { sprite = name, bank = bank, hit = { box = { w, h } }, hp = hp, score = score,
                     spark = "crumb", blink = BLINK, blink_soft = math.max(w, h) >= LARGE,
-                    on_hit = chip, on_death = on_death, drops = drops, pictures = pictures })
+                    on_hit = chip, on_death = on_death, drops = drops, pictures = pictures or poses(name) })
 end
 
 return { glass = glass, creature = creature, chip = chip, small = explosion "small",

@@ -45,6 +45,8 @@ local rom = {
     -- stage one
     enemies = { file = "art/enemies.png", bank = 10 },
     shoal   = { file = "art/shoal.png",   bank = 10, palette = "one" },
+    enemies_poses = { file = "art/enemies_poses.png", bank = 10 },
+    shoal_poses = { file = "art/shoal_poses.png", bank = 10, palette = "one" },
     lantern_nautilus = { file = "art/lantern_nautilus.png", bank = 12, palette = "one" },
     crab    = { file = "art/crab.png",    bank = 12, palette = "one" },
     crab_face = { file = "art/crab_face.png", bank = 12, palette = "one" },
@@ -53,6 +55,7 @@ local rom = {
     -- stage two
     creatures_two = { file = "art/creatures_two.png", bank = 10, palette = "two" },
     train   = { file = "art/train.png",   bank = 10, palette = "two" },
+    creatures_two_poses = { file = "art/creatures_two_poses.png", bank = 10, palette = "two" },
     bullets_two = { file = "art/bullets_two.png", bank = 0 },
     bellows = { file = "art/bellows.png", bank = 12, palette = "two" },
     cinder  = { file = "art/cinder.png",  bank = 12, palette = "two" },
@@ -67,6 +70,8 @@ local rom = {
     abyss_life = { file = "art/abyss_life.png", bank = 10, palette = "three" },
     quay_lamps = { file = "art/quay_lamps.png", bank = 10, palette = "three" },
     gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
+    abyss_life_poses = { file = "art/abyss_life_poses.png", bank = 10, palette = "three" },
+    gulper_poses = { file = "art/gulper_poses.png", bank = 10, palette = "three" },
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
     -- unlockable colours of the crafts
@@ -450,5 +455,22 @@ add_boss("cinder", "cinder", 84, 92, 42, 62, 6)
 add_boss("quench", "quench", 84, 92, 42, 62, 6)
 add_boss("angler", "angler", 120, 96, 60, 48, 6)
 add_boss("queen", "queen_abyss", 128, 128, 64, 58, 7)
+
+-- Creatures as they fly to a side, when they are hit, and before they fire: blocks of h px in a sheet of their own.
+local function add_poses(sheet, h, names)
+  local poses = { "_left", "_right", "_hurt", "_attack" }
+  for i = 1, #names do
+    local s = rom.sprites[names[i]]
+    for k = 1, #poses do
+      rom.sprites[names[i] .. poses[k]] = { sheet = sheet .. "_poses", x = s.x, y = s.y + h * (k - 1), w = s.w, h = s.h,
+                                            frames = s.frames, every = s.every, origin = s.origin }
+    end
+  end
+end
+add_poses("enemies", 240, { "krill", "fish", "jelly", "ray", "urchin", "nautilus" })
+add_poses("shoal", 136, { "arrow", "seahorse" })
+add_poses("creatures_two", 306, { "drone", "bottle", "tongs", "worm", "puffer", "gear_ray", "crucible", "kiln" })
+add_poses("abyss_life", 280, { "mite", "bell", "viper", "chain_head", "comb", "squid", "shark", "spider" })
+add_poses("gulper", 64, { "gulper" })
 
 return rom

@@ -334,12 +334,19 @@ bool enemies_is_flashing(const struct enemies *e, const struct enemy_kinds *kind
     return 4 * (e->bank[i] / ENEMY_BLINK_ONE) > 3 * (kinds->bank[e->kind[i]] / ENEMY_BLINK_ONE);
 }
 
+enum { SIDE_SPEED = FX_ONE / 2 }; /* px/frame from which an enemy shows its pictures `left` and `right` */
+
 uint16_t enemies_sprite(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
 {
     uint32_t kind = e->kind[i], n = e->flags[i] / ENEMY_PICTURE_ONE;
+    const fx dx = e->x[i] - e->prev_x[i];
 
-    if (n == 0 && e->bank[i] >= ENEMY_BLINK_ONE && kinds->flags[kind] & ENEMY_HURT_PICTURE)
-        n = 1;
+    if (n == 0 && kinds->flags[kind] & ENEMY_HURT_PICTURE) {
+        if (e->bank[i] >= ENEMY_BLINK_ONE)
+            n = 1;
+        else if (kinds->flags[kind - 1] & ENEMY_SIDES && (dx >= SIDE_SPEED || dx <= -SIDE_SPEED))
+            n = dx < 0 ? 2 : 3;
+    }
     return kinds->sprite[kind - n];
 }
 

@@ -18,6 +18,9 @@ enum {
     ENEMY_RIM_BLINK = 1 << 6,      /* kinds: only a rim around the sprite blinks white */
     ENEMY_TURNS = 1 << 7,          /* kinds: `dir` follows the enemy's moves */
 
+    /* kinds, in the row of picture 1: pictures 2 and 3 replace picture 0 while the enemy moves left or right */
+    ENEMY_SIDES = 1 << 0,
+
     ENEMY_UNDYING = 1 << 0, /* enemies: waits at hp 0 instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1,   /* enemies: died; despawns after its handlers have run */
     ENEMY_LEAVING = 1 << 2, /* enemies: left the keep box in this move; can still be hit; despawns like ENEMY_DYING */

@@ -15,6 +15,8 @@ static const char kinds[] =
     "})\n"
     "player.def('first', { sprite = 'dot', hit = { circle = 2 }, registers = { bombs = 2 } })\n"
     "player.def('second', { sprite = 'arrow', hit = { circle = 2 } })\n"
+    "enemy.def('sided', { sprite = 'dot', hit = 'none', pictures = { left = 'arrow', right = 'wink', aim = 'wink' } "
+    "})\n"
     "player.def('p', { sprite = 'arrow', hit = { circle = 2 }, safe = 0, pictures = { right = 'dot', left = 'wink', "
     "win = 'wink' },\n"
     "  registers = { n = 1 } })\n"
@@ -99,6 +101,29 @@ TEST(pictures)
     rig_run(&r, 1), shows(NULL, 0, 0, false, 0);
     rig_run(&r, 1), shows("wink", 1, 9, false, 0); /* its second frame is shown from 3 on */
     rig_run(&r, 1), shows("dot", 0, 9, false, 0);
+}
+
+/* An enemy that has pictures for its sides shows them while it moves by at least half a pixel a frame. */
+TEST(sides)
+{
+    static const char *const moves[][3] = { { "102", "98", "arrow" },
+                                            { "98", "102", "wink" },
+                                            { "100.75", "99.25", "dot" } };
+
+    for (int i = 0; i < 3; i++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "local e = enemy.spawn { kind = 'sided', x = %s, y = 80 }\n"
+                 "e:move { x = %s, y = 80, over = 4 }\n"
+                 "task.go(function() wait(2) e.x = 100 end)",
+                 moves[i][0], moves[i][1]);
+        open_with(text);
+        rig_run(&r, 2), shows(moves[i][2], 0, 0, false, 0);
+        rig_run(&r, 1), shows("dot", 0, 0, false, 0);
+    }
+    open_with("local e = enemy.spawn { kind = 'sided', x = 102, y = 80 } e.picture = 'aim' e:move { x = 98, y = 80, "
+              "over = 4 }");
+    rig_run(&r, 2), shows("wink", 0, 0, false, 0);
 }
 
 /* White for two frames, plain for six; hits in the meantime do not begin anew. */

@@ -50,8 +50,8 @@ static const struct api_param def_params[] = {
             BITS_OF(enemy_kinds.flags, ENEMY_BLOCKS_BULLETS)),
     [D_PICTURES] = OPTIONAL(
         "pictures", A_TABLE,
-        "up to 7 more sprites, { NAME = sprite }, which `picture` selects by name; the picture `hurt` is shown while "
-        "the enemy blinks"),
+        "up to 7 more sprites, { NAME = sprite }, which `picture` selects by name; `hurt` is shown while the enemy "
+        "blinks, `left` and `right` while it moves left or right"),
     PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", "frames it blinks after a hit; at 0 it never blinks",
           BITS_OF(enemy_kinds.bank, ENEMY_BLINK)),
     [D_RATE] = PARAM("rate", A_FX, OPT, 0, MAX_RATE, NULL, NULL,
@@ -70,7 +70,21 @@ static const struct api_param def_params[] = {
     ALPHA(OPT, "8", "opacity of its sprite; needs `board = { transforms = true }`", STORED(enemy_kinds.alpha)),
 };
 
-static const char *const first_picture_names[] = { "hurt", NULL };
+static const char *const first_picture_names[] = { "hurt", NULL }, *const first_picture_names_sided[] = {
+    "hurt", "left", "right", NULL
+};
+
+/* Returns whether the table of pictures has one for a side. */
+static bool has_sides(lua_State *L, const struct api_value *pictures)
+{
+    if (!pictures->given)
+        return false;
+    const int top = lua_gettop(L);
+    const bool found =
+        lua_getfield(L, pictures->at, "left") != LUA_TNIL || lua_getfield(L, pictures->at, "right") != LUA_TNIL;
+    lua_settop(L, top);
+    return found;
+}
 
 static void define_body(lua_State *L, struct enemy_kinds *k, int32_t i, const struct api_value *v)
 {
@@ -96,8 +110,9 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
         api_scale_hit_shape(L, "enemy.def", &largest, SCALE_MAX);
         shape.shape |= SHAPE_SCALED;
     }
-    api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_picture_names, ENEMY_MAX_PICTURES,
-                      &pictures);
+    const bool sides = has_sides(L, &v[D_PICTURES]);
+    api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i,
+                      sides ? first_picture_names_sided : first_picture_names, ENEMY_MAX_PICTURES, &pictures);
     vm_reserve(L, &k->s, MAX_KIND_ROWS);
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
     api_pictures_append_rows(L, "enemy.def", &k->s, k->sprite, &pictures);
@@ -106,6 +121,8 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     api_store_arguments(L, b, i, v);
     if (pictures.n)
         k->flags[i] |= ENEMY_HURT_PICTURE;
+    if (sides)
+        k->flags[i - 1] = ENEMY_SIDES;
     api_pictures_store_names(L, N_ENEMY, i, &pictures);
     if (v[D_DROPS].given) {
         api_push_folded_drops(L, "enemy.def", v[D_DROPS].at);

@@ -90,6 +90,12 @@ void paint_roll(struct paint *p, double roll);
  * light does not fall, `lit` where it does; 0: no outline there. */
 void paint_done(struct paint *p, struct sheet *s, int x, int y, int rim, int lit);
 
+/* -- poses -- */
+
+/* Draws a sheet of creatures in four poses, one below another: as they fly to the left, to the right, when they are hit,
+ * and before they fire. */
+struct sheet art_poses(struct sheet (*draw)(void));
+
 /* -- bosses -- */
 
 /* What a boss is doing: frame runs from 0 to 4; wounds is 0, 1 hurt, 2 broken. */
@@ -122,6 +128,7 @@ struct sheet art_petrel(void);
 struct sheet art_tern(void);
 struct sheet art_arms(void);
 struct sheet art_enemies(void);
+struct sheet art_enemies_poses(void);
 struct sheet art_queen(void);
 struct sheet art_iri(void);
 struct sheet art_sen(void);
@@ -145,7 +152,9 @@ struct sheet art_items(void);
 struct sheet art_tiles(void);
 struct sheet art_seabed(void);
 struct sheet art_abyss_life(void);
+struct sheet art_abyss_life_poses(void);
 struct sheet art_gulper(void);
+struct sheet art_gulper_poses(void);
 struct sheet art_angler(void);
 struct sheet art_lamplight(void);
 struct sheet art_queen_abyss(void);
@@ -155,6 +164,7 @@ struct sheet art_quay_lamps(void);
 struct sheet art_abyss_tiles(void);
 struct sheet art_finds(void);
 struct sheet art_two_creatures(void);
+struct sheet art_two_creatures_poses(void);
 struct sheet art_two_bellows(void);
 struct sheet art_two_cinder(void);
 struct sheet art_two_quench(void);
@@ -168,6 +178,7 @@ struct sheet art_two_skyline(void);
 struct sheet art_two_yard(void);
 struct sheet art_two_train(void);
 struct sheet art_shoal(void);
+struct sheet art_shoal_poses(void);
 struct sheet art_lantern_nautilus(void);
 struct sheet art_crab(void);
 struct sheet art_crab_face(void);

@@ -197,6 +197,11 @@ struct sheet art_enemies(void)
     return s;
 }
 
+struct sheet art_enemies_poses(void)
+{
+    return art_poses(art_enemies);
+}
+
 /* Bank 12: 2..8 glass, 9..11 gold, 12..13 heart. */
 static const struct mat PANE = { GLASS, 2, 8, 0 }, FILM = { VEIL, 2, 8, 0.02 }, GOLD = { MATTE, 9, 11, 0.12 },
                         SOUL = { GLOW, 12, 15, 0.0 };

@@ -102,6 +102,11 @@ struct sheet art_shoal(void)
     return s;
 }
 
+struct sheet art_shoal_poses(void)
+{
+    return art_poses(art_shoal);
+}
+
 /* Bank 12: 2..8 glass, 9..11 silver, 12..13 cold light. */
 static const struct mat PANE = { GLASS, 2, 8, 0 }, SILVER = { MATTE, 9, 11, 0.12 }, SOUL = { GLOW, 12, 15, 0.05 },
                         FLESH = { MATTE, 12, 13, 0.1 }, NIGHT = { FLAT, 1, 1, 0 }, LAMP = { FLAT, 15, 15, 0 };

@@ -565,9 +565,61 @@ void paint_roll(struct paint *p, double roll)
     free(row);
 }
 
+/* How a scene is turned, stretched and lit before it becomes pixels. */
+struct pose {
+    double turn, wide, tall, light;
+};
+
+enum { POSES = 4 };
+static const struct pose AT_REST = { 0, 1, 1, 0 };
+static const struct pose LIST[POSES] = {
+    { 0.05, 0.97, 1, 0 }, { -0.05, 0.97, 1, 0 }, { 0, 1.03, 0.86, 0.1 }, { 0, 0.97, 1.05, 0.17 }
+};
+static const struct pose *pose = &AT_REST;
+
+static void strike_pose(struct paint *p)
+{
+    const int w = p->w * SS, h = p->h * SS;
+    const double c = art_cos(pose->turn), s = art_sin(pose->turn);
+    struct sample *from = p->grid;
+
+    p->grid = calloc((size_t)(w * h), sizeof *p->grid);
+    assert(p->grid);
+    for (int y = 0; y < h; y++) {
+        for (int x = 0; x < w; x++) {
+            double dx = x + 0.5 - w * 0.5, dy = y + 0.5 - h * 0.5;
+            int u = (int)(w * 0.5 + (dx * c + dy * s) / pose->wide),
+                v = (int)(h * 0.5 + (dy * c - dx * s) / pose->tall);
+            if (u < 0 || v < 0 || u >= w || v >= h || !from[v * w + u].part)
+                continue;
+            p->grid[y * w + x] = from[v * w + u];
+            p->grid[y * w + x].shade = (float)art_clamp((double)from[v * w + u].shade + pose->light, 0, 0.9999);
+        }
+    }
+    free(from);
+}
+
+struct sheet art_poses(struct sheet (*draw)(void))
+{
+    struct sheet all = { 0 };
+
+    for (int k = 0; k < POSES; k++) {
+        pose = &LIST[k];
+        struct sheet s = draw();
+        if (k == 0)
+            all = sheet_new(s.w, POSES * s.h, s.bank);
+        memcpy(all.px + k * s.w * s.h, s.px, (size_t)(s.w * s.h));
+        sheet_free(&s);
+    }
+    pose = &AT_REST;
+    return all;
+}
+
 void paint_done(struct paint *p, struct sheet *s, int x0, int y0, int rim, int bright)
 {
     struct sheet own = sheet_new(p->w, p->h, 0), part = sheet_new(p->w, p->h, 0);
+    if (pose != &AT_REST)
+        strike_pose(p);
     for (int y = 0; y < p->h; y++) {
         for (int x = 0; x < p->w; x++) {
             double shade = 0, other;

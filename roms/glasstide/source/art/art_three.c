@@ -282,10 +282,20 @@ struct sheet art_abyss_life(void)
     return s;
 }
 
+struct sheet art_abyss_life_poses(void)
+{
+    return art_poses(art_abyss_life);
+}
+
 struct sheet art_gulper(void)
 {
     struct sheet s = sheet_new(256, 64, 10);
     for (int i = 0; i < 4; i++)
         gulper(&s, 64 * i, 0, i);
     return s;
+}
+
+struct sheet art_gulper_poses(void)
+{
+    return art_poses(art_gulper);
 }

@@ -275,3 +275,8 @@ struct sheet art_two_creatures(void)
     }
     return s;
 }
+
+struct sheet art_two_creatures_poses(void)
+{
+    return art_poses(art_two_creatures);
+}

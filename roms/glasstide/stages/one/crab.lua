@@ -55,7 +55,7 @@ local function pincers(e)
       pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1, n = 17 }
     end
     wait(by_difficulty { easy = 50, normal = 46, hard = 42 })
-    pose(e, 40)
+    pose.attack(e, 40)
     either(e, function(claw, side)
       local at = claw and claw.alive and { claw, 0, 24 } or { e, 43 * side, 20 }
       sound.play("snap", { from = e })
@@ -74,7 +74,7 @@ local echo = motion.def { { bounce = 1, walls = "left right top", { bank = GOLD 
 
 local function grotto(e)
   for k = 1, forever do
-    pose(e, 70)
+    pose.attack(e, 70)
     for i = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       pattern.ring { from = e, kind = "ring", bank = AMBER, dir = 11 * (k + i),
                      speed = by_difficulty { easy = 1.5, normal = 1.6, abyss = 1.4 },
@@ -112,7 +112,7 @@ local function lamplight(e)
     sound.play("charge", { from = e })
     wait(56)
     sound.play("beam", { from = e })
-    pose(e, 180)
+    pose.attack(e, 180)
     wait(14)
     for i = 1, by_difficulty { easy = 6, normal = 8, hard = 9, abyss = 8 } do
       local even = i % 2 == 0
@@ -170,7 +170,7 @@ local function chandelier(e)
                     tag = "lamp", around = e, motion = hang, rest = 18 * i }
     end
     wait(50)
-    pose(e, 60)
+    pose.attack(e, 60)
     for i = 1, by_difficulty { easy = 3, hard = 4 } do
       pattern.ring { from = e, kind = "ring", bank = CRACKS[i % 3 + 1], dir = 9.5 * (3 * k + i),
                      speed = 1.4 + i, motion = crack,
@@ -196,7 +196,7 @@ local ebbing = { easy = { lights(1.0, 0.2), lights(1.0, -0.2) },
 local function wax(e)
   while true do
     wait(by_difficulty { easy = 150, normal = 110, hard = 84, abyss = 56 })
-    pose(e, 40)
+    pose.attack(e, 40)
     for i = -1, 1, 2 do
       pattern.aimed { from = e, dx = 36 * i, dy = -14, kind = "drop", bank = RUBY, every = 6,
                       n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 },

@@ -1,6 +1,7 @@
 -- stages/one/habits.lua - what each creature fires on its path. All are `run` functions, which end
 -- with their creature. Each has its own version for each difficulty.
 local rank = require "rank"
+local ready = require "pose".ready
 
 local habits = {}
 
@@ -31,7 +32,7 @@ end
 
 -- Spit: a few aimed pellets. The mist shows where they will come from.
 function habits.spit(e)
-  wait(rng.int(16, 44))
+  ready(e, rng.int(16, 44))
   if not may_fire(e) then return end
   local rows = by_difficulty { easy = 1, abyss = 2 }
   for row = 1, rows do
@@ -43,7 +44,7 @@ end
 
 -- Drip: drops one after another, straight down; on hard every third is three drops, on abyss all.
 function habits.drip(e)
-  wait(20)
+  ready(e, 20)
   for k = 1, forever do
     local wide = by_difficulty { easy = false, hard = k % 3 == 0, abyss = true }
     if e.y < 200 then
@@ -52,13 +53,13 @@ function habits.drip(e)
                     speed = rank.faster(by_difficulty { easy = 1.3, normal = 1.7, hard = 1.9,
                                                       abyss = 1.5 }) }
     end
-    wait(by_difficulty { easy = 84, normal = 34, hard = 25, abyss = 17 })
+    ready(e, by_difficulty { easy = 84, normal = 34, hard = 25, abyss = 17 })
   end
 end
 
 -- Fan: rice, twice.
 function habits.fan(e)
-  wait(62)
+  ready(e, 62)
   for row = 1, 2 do
     if may_fire(e) then
       pattern.fan { from = e, dy = 8, kind = "rice", bank = RUBY, spread = 58, aim = true,
@@ -70,13 +71,13 @@ function habits.fan(e)
         pattern.stack(a)
       end }
     end
-    wait(46)
+    ready(e, 46)
   end
 end
 
 -- Wake: two trails that wind around each other; only one on easy, with extra pellets on abyss.
 function habits.wake(e)
-  wait(24)
+  ready(e, 24)
   for k = 1, forever do
     local speed = by_difficulty { easy = 1.1, normal = 1.3, hard = 1.5, abyss = 1.4 }
     bullet.fire { from = e, dx = -12, kind = "petal", bank = MAGENTA, speed = speed,
@@ -89,57 +90,57 @@ function habits.wake(e)
       pattern.fan { from = e, kind = "pellet", bank = 0, n = 2, spread = 120, dir = 90,
                     speed = 1.2 }
     end
-    wait(by_difficulty { easy = 17, normal = 11, hard = 8, abyss = 8 })
+    ready(e, by_difficulty { easy = 17, normal = 11, hard = 8, abyss = 8 })
   end
 end
 
 -- Pulse: rings that open like a flower, turning left and right alternately.
 function habits.pulse(e)
-  wait(80)
+  ready(e, 80)
   for k = 1, forever do
     local left = k % 2 == 0
     pattern.ring { from = e, kind = "orb", bank = left and AMBER or MAGENTA, dir = 11 * k,
                    speed = 1.15, n = by_difficulty { easy = 8, normal = 13, hard = 18, abyss = 20 },
                    motion = left and curl_left or curl_right }
-    wait(by_difficulty { easy = 96, normal = 56, hard = 48, abyss = 42 })
+    ready(e, by_difficulty { easy = 96, normal = 56, hard = 48, abyss = 42 })
   end
 end
 
 -- Gild: warm-coloured fish fire gold fans, each wider than the last.
 function habits.gild(e)
   e.bank = 1
-  wait(62)
+  ready(e, 62)
   for i = 1, by_difficulty { easy = 2, normal = 3, abyss = 4 } do
     if may_fire(e) then
       pattern.fan { from = e, dy = 8, kind = "kunai", bank = GOLD, spread = 24 * i, aim = true,
                     speed = rank.faster(2.2), delay = 12,
                     n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 8 } }
     end
-    wait(30)
+    ready(e, 30)
   end
 end
 
 -- Bristle: rotating rings of needles.
 function habits.bristle(e)
-  wait(40)
+  ready(e, 40)
   local turn = rng.dir()
   while e.y < 250 do
     pattern.ring { from = e, kind = "needle", bank = GOLD, dir = turn,
                    speed = rank.faster(by_difficulty { easy = 1.6, normal = 1.8, abyss = 1.6 }),
                    n = by_difficulty { easy = 3, normal = 6, abyss = 8 } }
     turn = turn + 17
-    wait(rank.sooner(by_difficulty { easy = 40, normal = 20, hard = 17 }))
+    ready(e, rank.sooner(by_difficulty { easy = 40, normal = 20, hard = 17 }))
   end
 end
 
 -- Whorl: a spiral of stars, and pearls that bounce off the walls on both sides.
 function habits.whorl(e)
-  wait(70)
+  ready(e, 70)
   task.go(function()
     while true do
       pattern.fan { from = e, kind = "pearl", bank = AMBER, n = 2, spread = 100, speed = 1.8,
                     motion = rebound }
-      wait(by_difficulty { easy = 120, normal = 84, hard = 64, abyss = 48 })
+      ready(e, by_difficulty { easy = 120, normal = 84, hard = 64, abyss = 48 })
     end
   end)
   pattern.spiral { from = e, kind = "star", bank = RUBY, n = 64, step = 13, every = 5, speed = 1.6,
@@ -151,10 +152,10 @@ local ARROW = { { 0, 0 }, { -8, 6 }, { -8, -6 }, { -16, 12 }, { -16, -12 }, { -1
 local SHORT = { { 0, 0 }, { -8, 6 }, { -8, -6 } }
 
 function habits.salvo(e)
-  wait(56)
+  ready(e, 56)
   for _ = 1, by_difficulty { easy = 1, normal = 2, hard = 3 } do
     spark.burst { kind = "shock", from = e, speed = 0 }
-    wait(26)
+    ready(e, 26)
     if may_fire(e) then
       sound.play("snap", { from = e })
       pattern.fan { from = e, dy = 14, kind = "shard", bank = MAGENTA, aim = true, spread = 76,
@@ -165,7 +166,7 @@ function habits.salvo(e)
         pattern.points(a)
       end }
     end
-    wait(40)
+    ready(e, 40)
   end
 end
 
@@ -179,14 +180,14 @@ end
 local DRIFTS = { easy = drift(5), normal = drift(8), hard = drift(11), abyss = drift(14) }
 
 function habits.bubbles(e)
-  wait(50)
+  ready(e, 50)
   while true do
     if e.y < 160 then
       pattern.fan { from = e, dy = -8, kind = "bubble", bank = AMBER, dir = 90, spread = 70,
                     n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 1.1, delay = 16,
                     motion = by_difficulty(DRIFTS) }
     end
-    wait(by_difficulty { easy = 150, normal = 84, hard = 76, abyss = 56 })
+    ready(e, by_difficulty { easy = 150, normal = 84, hard = 76, abyss = 56 })
   end
 end
 

@@ -16,7 +16,7 @@ local function flare(e)
     wait(by_difficulty { easy = 150, normal = 120, hard = 88, abyss = 80 })
     spark.burst { kind = "shock", from = e, dx = LAMP.dx, dy = LAMP.dy, speed = 0 }
     sound.play("charge", { from = e })
-    pose(e, 50)
+    pose.attack(e, 50)
     wait(24)
     pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "needle", bank = GOLD, aim = true,
                   spread = by_difficulty { easy = 40, normal = 48, abyss = 60 }, speed = 2.2,
@@ -90,7 +90,7 @@ local function chambers(e)
     e:move { x = rng.int(96, 144), y = rng.int(76, 92), over = 30, ease = "both" }
     wait(30)
     sound.play("still", { from = e })
-    pose(e, 60)
+    pose.attack(e, 60)
     wind(e, n, arms, 40 * k, way, "orb", by_difficulty(unwind))
     if by_difficulty { easy = false, hard = true } then
       wind(e, by_difficulty { easy = 0, hard = 33, abyss = 40 }, 1, 40 * k + 180, -way, "pellet",

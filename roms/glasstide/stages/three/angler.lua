@@ -109,7 +109,7 @@ local function bait(e)
                        motion = "slow bow " .. side }
       end
     end
-    pose(e, 70)
+    pose.attack(e, 70)
     wait(24)
     pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true,
                   spread = by(0, 40, 54, 80), n = by(1, 5, 7, 11), delay = 20,
@@ -168,7 +168,7 @@ local function match(e)
       spark.burst { kind = "ping", from = lamp, n = 10, radius = LIT - 22, speed = 1.4 }
       wait(6)
     end
-    pose(e, 40)
+    pose.attack(e, 40)
     strike(lamp)
     wait(by(74, 54, 47, 46))
     swing(e, 60)
@@ -226,7 +226,7 @@ local function teeth(e)
   for k = 1, forever do
     flare()
     sound.play("charge", { from = e })
-    pose(e, 90)
+    pose.attack(e, 90)
     jaws(k)
     wait(44)
     e:move { x = 120 + 30 * angle.sin(77 * k), y = 88, over = 80, ease = "both" }

@@ -2,6 +2,7 @@
 -- functions, which end with their creature.
 local by = require "stages/three/by"
 local pace = require "stages/three/pace"
+local ready = require "pose".ready
 local fast, soon = pace.fast, pace.soon
 local habits = {}
 
@@ -16,7 +17,7 @@ end
 
 -- Mites spit aimed cyan pellets: one on easy, five in a row on abyss.
 function habits.spit(e)
-  wait(rng.int(20, 50))
+  ready(e, rng.int(20, 50))
   if face_to_face(e) then return end
   pattern.aimed { from = e, kind = "pellet", bank = 5, every = 8, delay = 14,
                   n = by(1, 2, 3, 5), speed = fast(1.6, 1.9, 2.1, 2.2) }
@@ -24,10 +25,10 @@ end
 
 -- Mites in crowds drop glass behind them.
 function habits.litter(e)
-  wait(26)
+  ready(e, 26)
   while true do
     bullet.fire { from = e, kind = "rice", bank = 5, dir = 90, speed = fast(1.1, 1.3, 1.5, 1.2) }
-    wait(soon(72, 34, 22, 15))
+    ready(e, soon(72, 34, 22, 15))
   end
 end
 
@@ -37,14 +38,14 @@ local WIDE_JAW = { { -8, -24 }, { 0, -16 }, { 9, -12 }, { 15, -5 }, { 15, 5 }, {
                    { -8, 24 } }
 
 function habits.bite(e)
-  wait(58)
+  ready(e, 58)
   for _ = 1, by(1, 1, 2, 3) do
     if not face_to_face(e) then
       pattern.points { from = e, dy = 14, kind = "kunai", bank = 1, aim = true, turns = true,
                        delay = 22, speed = fast(1.6, 2, 2.2, 2.2),
                        list = by(JAW, JAW, WIDE_JAW, WIDE_JAW) }
     end
-    wait(34)
+    ready(e, 34)
   end
 end
 
@@ -53,23 +54,23 @@ motion.def { name = "ink", { speed = 0.25, over = 46 }, { wait = 24 }, { dir = 9
              { speed = 1.1, over = 70 } }
 
 function habits.ink(e)
-  wait(70)
+  ready(e, 70)
   while true do
     pattern.scatter { from = e, dy = 12, kind = "orb", bank = 0, dir = 90, spread = 150,
                       speed = 0.7, speed_to = 2.2, motion = "ink", n = by(7, 11, 16, 19) }
-    wait(40)
+    ready(e, 40)
     if not face_to_face(e) then
       pattern.fan { from = e, dy = 12, kind = "star", bank = 3, aim = true, spread = 34,
                     speed = fast(1.5, 1.8, 2, 2), n = by(1, 3, 3, 5) }
     end
-    wait(soon(163, 100, 79, 55))
+    ready(e, soon(163, 100, 79, 55))
   end
 end
 
 -- The lights of a comb jelly run down its sides and fire from there: two fans that cross, open and
 -- close.
 function habits.lights(e)
-  wait(60)
+  ready(e, 60)
   for k = 0, forever do
     local open = 46 + 40 * angle.sin(9 * k)
     for side = -1, 1, 2 do
@@ -80,7 +81,7 @@ function habits.lights(e)
                       dir = 90 - 0.6 * open * side, speed = fast(1, 1.1, 1.2, 0.9) }
       end
     end
-    wait(soon(15, 8, 6, 4))
+    ready(e, soon(15, 8, 6, 4))
   end
 end
 
@@ -89,7 +90,7 @@ motion.def { name = "web", { speed = 0, over = 44 }, { wait = 22 }, { dir = 90 }
              { speed = 0.9, over = 50 } }
 
 function habits.web(e)
-  wait(76)
+  ready(e, 76)
   for k = 0, forever do
     for row = 1, by(2, 3, 3, 3) do
       pattern.polygon { from = e, kind = "pellet", bank = 0, sides = 6, dir = 30 * (k % 2),
@@ -98,26 +99,26 @@ function habits.web(e)
     end
     pattern.ring { from = e, kind = "drop", bank = 1, n = 6, dir = 30 * (k % 2), motion = "web",
                    speed = 4.2 }
-    wait(soon(188, 124, 98, 75))
+    ready(e, soon(188, 124, 98, 75))
   end
 end
 
 -- Rows of bells turn around its head like the hands of a clock; each bell sheds drops to one side.
 local function shed(bell)
-  wait(50)
+  ready(bell, 50)
   while true do
     if not face_to_face(bell) then
       bullet.fire { from = bell, kind = "drop", bank = 5, dir = 1.7 * board.frame() % 360,
                     speed = fast(0.9, 1.1, 1.2, 0.9) }
     end
-    wait(soon(50, 27, 16, 12))
+    ready(bell, soon(50, 27, 16, 12))
   end
 end
 
 function habits.chain(e)
   local arms = by(2, 2, 3, 3)
   local way = e.x < 120 and 1 or -1
-  wait(40)
+  ready(e, 40)
   for row = 1, 3 do
     for arm = 1, arms do
       local bell = enemy.spawn { kind = "bell", from = e, run = shed }
@@ -133,7 +134,7 @@ function habits.chain(e)
   while true do
     pattern.ring { from = e, kind = "ring", bank = 2, n = by(6, 9, 12, 16), dir = rng.dir(),
                    speed = fast(1, 1.2, 1.3, 1) }
-    wait(soon(164, 89, 56, 38))
+    ready(e, soon(164, 89, 56, 38))
   end
 end
 
@@ -141,7 +142,7 @@ motion.def { name = "round the back", { wait = 16 }, { home = 2.2, over = 46 } }
 
 -- A lantern shark flashes its lamp, then throws lances along its light.
 function habits.hunt(e)
-  wait(64)
+  ready(e, 64)
   while true do
     if not face_to_face(e) then
       sound.play("lamp", { from = e })
@@ -150,7 +151,7 @@ function habits.hunt(e)
                     spread = by(0, 26, 40, 64), speed = fast(2.4, 2.8, 3.1, 3), n = by(1, 3, 5, 7) }
     end
     for _ = 1, 4 do
-      wait(soon(35, 19, 11, 8))
+      ready(e, soon(35, 19, 11, 8))
       pattern.fan { from = e, dy = -20, kind = "needle", bank = 5, n = 2, dir = 270, spread = 150,
                     speed = 1.3, motion = "round the back" }
     end
@@ -165,7 +166,7 @@ motion.def { name = "great gulp", { speed = 0.5, over = 70 },
   { emit = { pattern = "ring", n = 10, kind = "pellet", bank = 1, speed = 0.7 } }, { die = true } }
 
 function habits.gulp(e)
-  wait(80)
+  ready(e, 80)
   while true do
     for i = 1, 12 do
       local a = 137.5 * i
@@ -176,7 +177,7 @@ function habits.gulp(e)
     pattern.fan { from = e, dy = 16, kind = "marble", bank = 5, dir = 90, n = by(2, 3, 3, 4),
                   spread = by(60, 90, 90, 140), speed = 2.3, delay = 20,
                   motion = by("gulp", "gulp", "great gulp", "great gulp") }
-    wait(soon(116, 84, 83, 87))
+    ready(e, soon(116, 84, 83, 87))
   end
 end
 

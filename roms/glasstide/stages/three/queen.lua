@@ -40,7 +40,7 @@ local function wheels(e)
                             arms = by(2, 4, 10, 10) })
   while true do
     wait(110)
-    pose(e, 50)
+    pose.attack(e, 50)
     pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
                   speed = fast(1.9, 2.4, 2.5, 1.8), n = by(1, 3, 6, 7),
                   each = function(a) a.n, a.speed_to = 3, a.speed + 1 pattern.stack(a) end }
@@ -102,7 +102,7 @@ local function held(e)
     do
       local still <close> = sea.still()
       sound.play("still", { from = e })
-      pose(e, 90)
+      pose.attack(e, 90)
       bullet.group().frozen = forever
       breath.bank = 0
       gather(by(2, 4, 6, 12))
@@ -153,7 +153,7 @@ local function ebb(e)
   task.go(rain_over, e)
   for k = 1, forever do
     wait(by(96, 61, 50, 90))
-    pose(e, 60)
+    pose.attack(e, 60)
     wall((by(9.5, 12.5, 12.5, 12.5) + 3.5 * angle.sin(80 * k)) // 1)
     pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
                   speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 1) }
@@ -190,7 +190,7 @@ local function flower(e, full)
   local right = by("bloom right", "bloom right", "bloom right", "slow flower right")
   for k = 1, forever do
     local turn = 23 * k
-    if k % 3 == 1 then pose(e, 44) end
+    if k % 3 == 1 then pose.attack(e, 44) end
     petals(e, turn, left, 3)
     wait(12)
     petals(e, turn + 12, right, 5)

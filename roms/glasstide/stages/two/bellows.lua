@@ -34,7 +34,7 @@ local function breath(e)
   wait(20)
   for k = 1, forever do
     sound.play("steam", { from = e })
-    pose(e, 40)
+    pose.attack(e, 40)
     if k > BLOWS then
       blow(e, k % 2 == 0 and 1 or -1)
     else
@@ -101,7 +101,7 @@ local function draught(e)
     sound.play("charge", { from = e })
     inhale()
     sound.play("steam", { from = e })
-    pose(e, 160)
+    pose.attack(e, 160)
     swung = exhale(swung, k % 2 == 0 and -1 or 1)
     pattern.fan { from = e, dy = 30, kind = "gob", bank = 5, aim = true, spread = 70, speed = 1.6,
                   delay = 20, n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 } }
@@ -136,7 +136,7 @@ local function wheels(e)
     local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 0.95, abyss = 1 }
     local n = by_difficulty { easy = 2, hard = 3 }
     sound.play("gear", { from = e })
-    pose(e, 60)
+    pose.attack(e, 60)
     if k % 3 == 0 then
       for side = -1, 1, 2 do wheel(120 + 96 * side, 40, 90 + 32 * side, side < 0, 1.2 * speed) end
     else

@@ -18,7 +18,7 @@ local function sparks(e)
                    n = arms + (angry(e) and 2 or 0) }
     dir = dir + 11 + 6 * angle.sin(3 * k)
     if k % 24 == 0 then
-      pose(e, 70)
+      pose.attack(e, 70)
       e:move { x = rng.int(44, 90), y = rng.int(82, 104), over = 60, ease = "both" }
     end
     wait(rank.sooner(by_difficulty { easy = 13, normal = 8, abyss = 6 }))
@@ -32,7 +32,7 @@ local function bars(e)
                   spread = 120, speed = 2, motion = rebound,
                   n = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 7 } }
     rest(e, rank.sooner(by_difficulty { easy = 76, normal = 51, hard = 43, abyss = 32 }))
-    pose(e, 24)
+    pose.attack(e, 24)
     if angry(e) or k % 2 == 0 or by_difficulty { easy = false, hard = true } then
       pattern.stack { from = e, dy = 16, kind = "kunai", bank = 6, aim = true, speed = 1.6,
                       speed_to = 2.6, n = by_difficulty { easy = 1, normal = 3, hard = 4,
@@ -54,7 +54,7 @@ local function pour(e)
   for k = 1, forever do
     local left = k % 2 == 0
     sound.play("pour", { from = e })
-    pose(e, 60)
+    pose.attack(e, 60)
     pattern.fan { from = e, dy = 18, fire = "curve", kind = "pour", bank = left and 7 or 6,
                   speed = 1.7,
                   spread = 130, dir = 90 + (left and 9 or -9), tag = "poured",
@@ -127,7 +127,7 @@ local function temper(e)
   wait(50)
   for k = 1, forever do
     sound.play("gear", { from = e })
-    pose(e, 50)
+    pose.attack(e, 50)
     cast(k)
     wait(by_difficulty { easy = 64, normal = 46, hard = 42, abyss = 39 })
     pattern.ring { from = e, kind = "steam", bank = 0, dir = 11 * k, speed = 0.85,
@@ -141,7 +141,7 @@ local function spit(e)
   e:move { x = 44, y = 68, over = 50, ease = "both" }
   wait(110)
   for k = 1, forever do
-    pose(e, 30)
+    pose.attack(e, 30)
     pattern.whip { from = e, dy = 16, kind = "rice", bank = 7, aim = true, speed = 1.4,
                    speed_to = 2.2, bend = k % 2 == 0 and 34 or -34,
                    n = by_difficulty { easy = 1, normal = 5, hard = 7, abyss = 9 } }
@@ -219,8 +219,8 @@ local function crossing(cinder, quench)
     right:move { x = 120, y = 116, over = 60, ease = "in" }
     wait(60)
     sound.play("gear", { from = left })
-    pose(left, 50)
-    pose(right, 50)
+    pose.attack(left, 50)
+    pose.attack(right, 50)
     pattern.ring { x = 120, y = 100, kind = "steam", bank = 0, dir = 8 * k, speed = 1.1,
                    n = by_difficulty { easy = 12, normal = 18, hard = 24, abyss = 30 } }
   end
@@ -251,7 +251,7 @@ local function press(e)
     local first = rng.int(2, 7) -- row of the gap
     local open = by_difficulty { easy = 6, normal = 5, hard = 4, abyss = 3 }
     sound.play("charge", { from = e })
-    pose(e, 60)
+    pose.attack(e, 60)
     for row = 0, 15 do
       if row < first or row >= first + open then
         local y = LOW - STEP * row
@@ -275,7 +275,7 @@ local function curtain(e)
     local n = by_difficulty { easy = 15, normal = 31, hard = 34, abyss = 40 }
     local thick = k % 3 == 0 -- steam: fewer, wider bullets
     if angry(e) then n = n + 4 end
-    if thick then pose(e, 30) end
+    if thick then pose.attack(e, 30) end
     pattern.ring { from = e, dy = 8, kind = thick and "steam" or "orb", dir = 137.5 * k,
                    bank = thick and 0 or 5 + k % 2, n = thick and n // 2 or n,
                    speed = by_difficulty { easy = 1, abyss = 0.85 } }

@@ -2,6 +2,7 @@
 -- path. All are `run` functions, which end with their creature. Creatures
 -- close to a craft don't aim at it.
 local rank = require "rank"
+local ready = require "pose".ready
 
 local habits = {}
 
@@ -37,7 +38,7 @@ local halve = motion.def {
 
 -- A drone fires a few aimed pellets.
 function habits.blink(e)
-  wait(rng.int(14, 40))
+  ready(e, rng.int(14, 40))
   if not far(e) then return end
   pattern.fan { from = e, kind = "pellet", bank = 7, aim = true, spread = 14,
                 speed = rank.faster(1.9), delay = 14,
@@ -46,7 +47,7 @@ end
 
 -- Drones in the second half fire pellets in a row, like a string of beads.
 function habits.beads(e)
-  wait(rng.int(20, 44))
+  ready(e, rng.int(20, 44))
   if not far(e) then return end
   pattern.stack { from = e, kind = "pellet", bank = 5, aim = true, speed = 1.4, speed_to = 2.4,
                   delay = 14, n = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 6 } }
@@ -54,31 +55,31 @@ end
 
 -- A bottle fires its cork straight ahead; on abyss its contents follow.
 function habits.cork(e)
-  wait(40)
+  ready(e, 40)
   if not far(e) then return end
   pattern.fan { from = e, dy = 12, kind = "kunai", bank = 5, spread = 34, dir = 90,
                 speed = rank.faster(2.1), delay = 10,
                 n = by_difficulty { easy = 1, normal = 1, hard = 3, abyss = 3 } }
   if by_difficulty { easy = false, abyss = true } then
-    wait(30)
+    ready(e, 30)
     pattern.ring { from = e, kind = "orb", bank = 6, n = 6, speed = 1 }
   end
 end
 
 -- Bottles in the street are shaken: they fire one aimed cork after another.
 function habits.shaken(e)
-  wait(40)
+  ready(e, 40)
   for _ = 1, by_difficulty { easy = 1, normal = 3, hard = 4 } do
     if not far(e) or e.y > 200 then return end
     pattern.fan { from = e, dy = 12, kind = "kunai", bank = 5, aim = true, spread = 40,
                   speed = rank.faster(1.9), delay = 14, n = by_difficulty { easy = 1, hard = 3 } }
-    wait(rank.sooner(by_difficulty { easy = 50, normal = 26, hard = 28, abyss = 33 }))
+    ready(e, rank.sooner(by_difficulty { easy = 50, normal = 26, hard = 28, abyss = 33 }))
   end
 end
 
 -- The tongs close: two whips bend towards each other and cross.
 function habits.nip(e)
-  wait(56)
+  ready(e, 56)
   for _ = 1, 2 do
     if not far(e) then return end
     for side = -1, 1, 2 do
@@ -86,25 +87,25 @@ function habits.nip(e)
                      speed_to = 2.5, dir = 90 - 38 * side, bend = 46 * side,
                      n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 9 } }
     end
-    wait(58)
+    ready(e, 58)
   end
 end
 
 -- A puffer inflates, and breathes out rings.
 function habits.puff(e)
-  wait(70)
+  ready(e, 70)
   for k = 1, forever do
     sound.play("steam", { from = e })
     pattern.ring { from = e, kind = "orb", bank = k % 2 == 0 and 6 or 5, dir = 13 * k, speed = 2.1,
                    motion = breathe,
                    n = by_difficulty { easy = 7, normal = 16, hard = 18, abyss = 26 } }
-    wait(rank.sooner(by_difficulty { easy = 84, normal = 70, hard = 58, abyss = 52 }))
+    ready(e, rank.sooner(by_difficulty { easy = 84, normal = 70, hard = 58, abyss = 52 }))
   end
 end
 
 -- The pot runs over on both sides, and every fifth time a whole gob spills.
 function habits.spill(e)
-  wait(60)
+  ready(e, 60)
   for k = 1, forever do
     local lean = 34 * angle.sin(31 * k)
     pattern.fan { from = e, dy = -2, kind = "drop", bank = 5, dir = 90 + lean, spread = 96,
@@ -114,13 +115,13 @@ function habits.spill(e)
       bullet.fire { from = e, dy = 8, kind = "gob", bank = 7, aim = true, speed = 1.8, delay = 20,
                     motion = halve }
     end
-    wait(rank.sooner(by_difficulty { easy = 44, normal = 18, hard = 17, abyss = 12 }))
+    ready(e, rank.sooner(by_difficulty { easy = 44, normal = 18, hard = 17, abyss = 12 }))
   end
 end
 
 -- Steam from both ends of the valve forms a bar, which sinks.
 function habits.vent(e)
-  wait(50)
+  ready(e, 50)
   while true do
     sound.play("steam", { from = e })
     local n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 }
@@ -128,13 +129,13 @@ function habits.vent(e)
       pattern.stack { from = e, dy = 6, kind = "steam", bank = 0, dir = side, speed = 1,
                       speed_to = 2.3, n = n, motion = sink }
     end
-    wait(rank.sooner(by_difficulty { easy = 110, normal = 60, hard = 52, abyss = 44 }))
+    ready(e, rank.sooner(by_difficulty { easy = 110, normal = 60, hard = 52, abyss = 44 }))
   end
 end
 
 -- Two wheels on its wings release their teeth, which mesh as they fly.
 function habits.mesh(e)
-  wait(50)
+  ready(e, 50)
   for k = 1, forever do
     local n = by_difficulty { easy = 6, normal = 9, hard = 12, abyss = 15 }
     pattern.ring { from = e, dx = -13, kind = "rice", bank = 7, dir = 360 / n * k / 2, speed = 1,
@@ -143,25 +144,25 @@ function habits.mesh(e)
     pattern.ring { from = e, dx = 13, kind = "rice", bank = 5, dir = 360 / n * k / 2, speed = 1,
                    n = n,
                    motion = wheel_right }
-    wait(rank.sooner(by_difficulty { easy = 96, normal = 74, hard = 60, abyss = 50 }))
+    ready(e, rank.sooner(by_difficulty { easy = 96, normal = 74, hard = 60, abyss = 50 }))
   end
 end
 
 -- The kiln opens its door: bars bounce off the walls, and rings come out of the stack.
 function habits.bake(e)
-  wait(80)
+  ready(e, 80)
   task.go(function()
     for k = 1, forever do
       pattern.ring { from = e, dy = -20, kind = "steam", bank = 0, dir = 9 * k, speed = 0.9,
                      n = by_difficulty { easy = 6, normal = 9, hard = 12, abyss = 18 } }
-      wait(rank.sooner(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 60 }))
+      ready(e, rank.sooner(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 60 }))
     end
   end)
   for k = 1, forever do
     pattern.fan { from = e, dy = 14, kind = "ingot", bank = 6, dir = 90 + 12 * angle.sin(70 * k),
                   spread = 120, speed = 1.9, motion = rebound,
                   n = by_difficulty { easy = 4, normal = 7, hard = 9, abyss = 12 } }
-    wait(rank.sooner(by_difficulty { easy = 60, normal = 34, hard = 28, abyss = 24 }))
+    ready(e, rank.sooner(by_difficulty { easy = 60, normal = 34, hard = 28, abyss = 24 }))
   end
 end
 
