@@ -1,6 +1,6 @@
--- boss/cut_in.lua - the phase's portrait crosses the field while a spell is declared: quickly in, slowly on, quickly out,
--- with a light as it comes and images of itself behind it while it is quick. It is the phase's, so it goes with that;
--- nothing waits for it, and all of it is behind what can be hit.
+-- boss/cut_in.lua - the picture of a cut-in, or the phase's portrait, crosses the field while a spell is declared: quickly
+-- in, slowly on, quickly out, with a light as it comes and images of itself behind it while it is quick. It is the
+-- phase's, so it goes with that; nothing waits for it. It is below the boss and behind what can be hit.
 local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 local IN <const>, DRIFT <const> = 18, 60 -- frames
 local FAR <const>, NEAR <const> = 0.70, 0.54 -- of the field's width: where the drift begins and ends
@@ -18,16 +18,25 @@ local function place(t, left)
   local out = math.max(t - IN - DRIFT, 0) / IN
   local on = math.min(math.max(t - IN, 0), DRIFT) / DRIFT
   local x = w * (FAR + (NEAR - FAR) * on) + (w * (1 - FAR) + BESIDE) * k * k - (w * NEAR + BESIDE) * out * out
-  return x0 + (left and w - x or x), y0 + h * (0.43 - 0.10 * math.min(1, t / (2 * IN + DRIFT))) -- it rises all the way, above the name
+  return x0 + (left and w - x or x), y0 + h * (0.66 - 0.06 * math.min(1, t / (2 * IN + DRIFT))) -- it rises all the way
 end
 
-return function(_, phase, scene)
-  local left = phase.portrait_left
+-- The cut-in of the phase's leader, of the boss, or the phase's portrait.
+local function picture(b, phase)
+  local leader = b.cast[1]
+  for i = #b.cast, 1, -1 do
+    if type(phase.hp) == "table" and phase.hp[b.cast[i].name] then leader = b.cast[i] end
+  end
+  return leader.cut_in or b.cut_in or phase.portrait
+end
+
+return function(b, phase, scene)
+  local left, name = phase.portrait_left, picture(b, phase)
   task.own(scene, function()
     local x, y = place(0, left)
     local images = {}
     for i = IMAGES, 0, -1 do -- the last one put is drawn over the others
-      images[i + 1] = sprite.put { sprite = phase.portrait, x = x, y = y, layer = "back", flip_x = left }
+      images[i + 1] = sprite.put { sprite = name, x = x, y = y, layer = "back", flip_x = left }
     end
     screen.flash { share = SHARE, over = IN }
     for t = 1, 2 * IN + DRIFT do

@@ -149,6 +149,9 @@ local wounded = one(
 )
 wounded.hurt, wounded.broken = 'arrow', 'wink'
 boss.def('wounded', wounded)
+local declared = one(phase { spell = 'S', run = down(20) })
+declared.portrait, declared.cut_in = 'arrow', 'wink'
+boss.def('declared', declared)
 local clocked = {}
 stage.def('clock', function()
   task.go(function()
@@ -312,6 +315,17 @@ print(shown.arrow.alive)
 --> true false
 --> c true true
 --> false
+
+--case: a boss with cut_in shows that picture instead of its portrait
+function sprite.put(t)
+  shown[t.sprite] = put(t)
+  return shown[t.sprite]
+end
+boss.fight('declared')
+wait(1)
+print(shown.arrow, shown.wink ~= nil)
+--> a true true
+--> nil true
 
 --case: a phase has its own portrait, or its leader's, or the boss's
 boss.each(function(b)

@@ -96,6 +96,18 @@ void paint_done(struct paint *p, struct sheet *s, int x, int y, int rim, int lit
  * and before they fire. */
 struct sheet art_poses(struct sheet (*draw)(void));
 
+/* -- cut-ins -- */
+
+/* A band with slanted ends: what crosses the field as a spell is declared. */
+enum { CUT_W = 176, CUT_H = 60 };
+
+/* What is at (x, y) of the band's cell: 0 nothing, 1 its edge, 2 its inside. */
+int art_band(double x, double y);
+/* The shade of the band's ground at a pixel: dark, with streaks. */
+int art_streak(int x, int y);
+/* Draws a band at (0, y) that shows the surroundings of (cx, cy) in what draw paints, magnified. */
+void art_cut_in(struct sheet *s, int y, void (*draw)(struct sheet *), double cx, double cy, double zoom);
+
 /* -- bosses -- */
 
 /* What a boss is doing: frame runs from 0 to 4; wounds is 0, 1 hurt, 2 broken. */

@@ -372,10 +372,16 @@ static void queen(struct sheet *s, int x, bool cross)
     paint_done(p, s, x, 0, 1, 2);
 }
 
+static void queen_near(struct sheet *s)
+{
+    queen(s, 0, true);
+}
+
 struct sheet art_queen_face(void)
 {
-    struct sheet s = sheet_new(2 * FACE_W, FACE_H, 12);
+    struct sheet s = sheet_new(CUT_W, 96 + CUT_H, 12);
     queen(&s, 0, false);
     queen(&s, FACE_W, true);
+    art_cut_in(&s, 96, queen_near, 0, 3, 2);
     return s;
 }

@@ -227,11 +227,29 @@ static void portrait(struct sheet *s, int x0, const struct face *f)
     }
 }
 
+/* Its open eye fills the band of its cut-in. */
+static void near_eye(struct sheet *s, int y0)
+{
+    const double zoom = 0.72;
+
+    for (int py = 0; py < CUT_H; py++) {
+        for (int px = 0; px < CUT_W; px++) {
+            double x = (px + 0.5 - CUT_W / 2.0) * zoom, y = (py + 0.5 - CUT_H / 2.0) * zoom;
+            int band = art_band(px + 0.5, py + 0.5), c = eye(&FACES[4], 0, px, py, x, y);
+            if (!c && x * x < DISC * DISC)
+                c = ground(&FACES[4], px, py, x, y);
+            if (band)
+                sheet_set(s, px, y0 + py, band == 1 ? 15 : c ? c : art_streak(px, py));
+        }
+    }
+}
+
 struct sheet art_last_face(void)
 {
-    struct sheet s = sheet_new(144, 96, 12);
+    struct sheet s = sheet_new(CUT_W, 96 + CUT_H, 12);
 
     portrait(&s, 0, &FACES[1]);
     portrait(&s, 72, &FACES[4]);
+    near_eye(&s, 96);
     return s;
 }

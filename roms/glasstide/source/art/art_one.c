@@ -402,11 +402,17 @@ static void crab_face(struct sheet *s, int x, bool cross)
     paint_done(p, s, x, 0, 1, 2);
 }
 
+static void crab_face_near(struct sheet *s)
+{
+    crab_face(s, 0, true);
+}
+
 struct sheet art_crab_face(void)
 {
-    struct sheet s = sheet_new(144, 96, 12);
+    struct sheet s = sheet_new(CUT_W, 96 + CUT_H, 12);
 
     crab_face(&s, 0, false);
     crab_face(&s, 72, true);
+    art_cut_in(&s, 96, crab_face_near, 0, -8, 2);
     return s;
 }

@@ -615,8 +615,73 @@ struct sheet art_poses(struct sheet (*draw)(void))
     return all;
 }
 
+/* A scene's surroundings of a place, magnified, in the band of a cut-in; NULL: scenes are drawn whole. */
+static const struct cut {
+    double cx, cy, zoom;
+} * cut;
+
+int art_band(double x, double y)
+{
+    double dx = x - CUT_W / 2.0 + 0.5 * (y - CUT_H / 2.0), dy = y - CUT_H / 2.0;
+    double in_x = CUT_W / 2.0 - CUT_H / 4.0 - 1 - (dx < 0 ? -dx : dx), in_y = CUT_H / 2.0 - 1 - (dy < 0 ? -dy : dy);
+
+    return in_x < 0 || in_y < 0 ? 0 : in_x < 2 || in_y < 1.5 ? 1 : 2;
+}
+
+int art_streak(int x, int y)
+{
+    uint32_t seed = 97u * (uint32_t)y + 5;
+    double from = art_pick(&seed, -60, CUT_W), far = art_pick(&seed, 30, 110), r = art_random(&seed);
+
+    return x < from || x > from + far ? 1 : r < 0.4 ? 2 : r < 0.7 ? 3 : 1;
+}
+
+static void cut_out(struct paint *p)
+{
+    const int w = CUT_W * SS, h = CUT_H * SS;
+    struct sample *from = p->grid;
+    int ground[4];
+
+    for (int i = 1; i < 4; i++)
+        ground[i] = new_part(p, (struct mat){ FLAT, i, i, 0 });
+    ground[0] = new_part(p, (struct mat){ FLAT, 15, 15, 0 });
+    p->grid = calloc((size_t)(w * h), sizeof *p->grid);
+    assert(p->grid);
+    for (int y = 0; y < h; y++) {
+        for (int x = 0; x < w; x++) {
+            double px = (x + 0.5) / SS, py = (y + 0.5) / SS;
+            int band = art_band(px, py);
+            int u = (int)((p->w / 2.0 + cut->cx + (px - CUT_W / 2.0) / cut->zoom) * SS);
+            int v = (int)((p->h / 2.0 + cut->cy + (py - CUT_H / 2.0) / cut->zoom) * SS);
+            struct sample *s = &p->grid[y * w + x];
+            if (band == 2 && u >= 0 && v >= 0 && u < p->w * SS && v < p->h * SS && from[v * p->w * SS + u].part)
+                *s = from[v * p->w * SS + u];
+            else if (band)
+                s->part = (uint16_t)ground[band == 1 ? 0 : art_streak((int)px, (int)py)];
+        }
+    }
+    p->w = CUT_W;
+    p->h = CUT_H;
+    free(from);
+}
+
+void art_cut_in(struct sheet *s, int y, void (*draw)(struct sheet *), double cx, double cy, double zoom)
+{
+    struct sheet own = sheet_new(CUT_W, CUT_H, 0);
+    struct cut here = { cx, cy, zoom };
+
+    cut = &here;
+    draw(&own);
+    cut = NULL;
+    for (int i = 0; i < CUT_W * CUT_H; i++)
+        sheet_set(s, i % CUT_W, y + i / CUT_W, own.px[i]);
+    sheet_free(&own);
+}
+
 void paint_done(struct paint *p, struct sheet *s, int x0, int y0, int rim, int bright)
 {
+    if (cut)
+        cut_out(p);
     struct sheet own = sheet_new(p->w, p->h, 0), part = sheet_new(p->w, p->h, 0);
     if (pose != &AT_REST)
         strike_pose(p);

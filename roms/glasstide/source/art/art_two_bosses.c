@@ -373,20 +373,32 @@ static void quench_face(struct sheet *s, int x, bool cross)
     paint_done(p, s, x, 0, 1, 2);
 }
 
+static void cinder_face_near(struct sheet *s)
+{
+    cinder_face(s, 0, true);
+}
+
 struct sheet art_two_cinder_face(void)
 {
-    struct sheet s = sheet_new(144, 96, 12);
+    struct sheet s = sheet_new(CUT_W, 96 + CUT_H, 12);
 
     cinder_face(&s, 0, false);
     cinder_face(&s, 72, true);
+    art_cut_in(&s, 96, cinder_face_near, 4, 0, 2);
     return s;
+}
+
+static void quench_face_near(struct sheet *s)
+{
+    quench_face(s, 0, true);
 }
 
 struct sheet art_two_quench_face(void)
 {
-    struct sheet s = sheet_new(144, 96, 11);
+    struct sheet s = sheet_new(CUT_W, 96 + CUT_H, 11);
 
     quench_face(&s, 0, false);
     quench_face(&s, 72, true);
+    art_cut_in(&s, 96, quench_face_near, 5, 0, 2);
     return s;
 }

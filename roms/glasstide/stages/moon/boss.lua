@@ -131,7 +131,7 @@ end
 
 boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 100,
   epithet = "That Which Pulls the Water", entrance = "bubbles", bg = "moon",
-  music = "moon", portrait = "moon_cross", hurt = "moon_hurt", broken = "moon_broken",
+  music = "moon", portrait = "moon_cross", cut_in = "moon_cut_in", hurt = "moon_hurt", broken = "moon_broken",
   warning = 150, phases = {
     { id = "gibbous", hp = 1600, time = 45 * 60, run = tolled(gibbous), clear = FOAM,
       drops = { pearl = 8 } },

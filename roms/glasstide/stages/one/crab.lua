@@ -223,7 +223,7 @@ local FOAM = { items = "foam", spark = "pop" } -- what its bullets become when a
 
 boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 92, music = "claws",
                    epithet = "Keeper of the Shallows", entrance = "bubbles",
-                   portrait = "crab_cross", warning = 120, hurt = "crab_hurt", broken = "crab_broken", phases = {
+                   portrait = "crab_cross", cut_in = "crab_cut_in", warning = 120, hurt = "crab_hurt", broken = "crab_broken", phases = {
   { talk = meeting },
   { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
   { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 1100, time = 35 * 60, bonus = 15000,

@@ -224,7 +224,7 @@ end
 
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
                     epithet = "She Who Took Back the Sea", entrance = "bubbles", bg = "court",
-                    portrait = "queen_face", music = "queen", warning = 120,
+                    portrait = "queen_face", cut_in = "queen_cut_in", music = "queen", warning = 120,
                     hurt = "queen_hurt", broken = "queen_broken", phases = {
   { talk = meeting },
   { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,

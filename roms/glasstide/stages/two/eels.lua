@@ -292,9 +292,10 @@ local FOAM = { items = "foam", spark = "pop" }
 boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120,
   epithet = "Keepers of the Fire", entrance = "bubbles", bg = "hearth",
   cast = { { name = "cinder", title = "Cinder", kind = "cinder", x = 68, y = 90,
-             portrait = "cinder_cross", hurt = "cinder_hurt", broken = "cinder_broken" },
+             portrait = "cinder_cross", cut_in = "cinder_cut_in", hurt = "cinder_hurt",
+             broken = "cinder_broken" },
            { name = "quench", title = "Quench", kind = "quench", x = 172, y = 90,
-             portrait = "quench_cross", portrait_left = true, hurt = "quench_hurt",
+             portrait = "quench_cross", cut_in = "quench_cut_in", portrait_left = true, hurt = "quench_hurt",
              broken = "quench_broken" } },
   phases = {
     { talk = meeting },
