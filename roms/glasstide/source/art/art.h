@@ -108,6 +108,12 @@ int art_streak(int x, int y);
 /* Draws a band at (0, y) that shows the surroundings of (cx, cy) in what draw paints, magnified. */
 void art_cut_in(struct sheet *s, int y, void (*draw)(struct sheet *), double cx, double cy, double zoom);
 
+/* What draw paints, turned and magnified about its middle, in a square picture. */
+struct sheet art_turned(int side, void (*draw)(struct sheet *), double turn, double zoom);
+/* Two craft, level: for the story's pictures. */
+void art_level_heron(struct sheet *s);
+void art_level_petrel(struct sheet *s);
+
 /* -- bosses -- */
 
 /* What a boss is doing: frame runs from 0 to 4; wounds is 0, 1 hurt, 2 broken. */

@@ -155,7 +155,7 @@ struct sheet art_iri(void)
     return s;
 }
 
-/* ---- the Petrel's: hair in the wind, a headset ---- */
+/* ---- the Petrel's: an old navigator in a storm coat, a braid over her shoulder, a patch on one eye ---- */
 
 static const struct palette SEN = { 14,
                                     12,
@@ -176,50 +176,79 @@ static void lock(struct paint *p, struct mat hair, double ax, double ay, double 
     paint_curve(p, hair, a, m, b, r, 0.5);
 }
 
-static void back_hair(struct paint *p, const struct palette *c)
+/* The coat's wide shoulders, its flaps with buttons, and a collar that stands up round her jaw. */
+static void storm_coat(struct paint *p, const struct palette *c)
 {
-    paint_ball(p, c->hair, -2, -6, 23, 24, 0);
-    lock(p, c->hair, -16, -6, -28, 4, -30, 20, 8);
-    lock(p, c->hair, -14, 4, -24, 14, -22, 30, 7);
-    lock(p, c->hair, 16, 0, 24, 10, 22, 24, 5);
-    lock(p, c->hair, -14, -20, -28, -22, -34, -12, 7);
+    static const double body[] = { 0, 30, 10, 30, 24, 33, 34, 40, 36, 52, 0, 52 };
+    static const double cape[] = { 9, 29, 22, 30, 35, 38, 36, 47, 22, 42, 10, 38 };
+    static const double collar[] = { 5, 40, 8, 24, 17, 11, 24, 12, 22, 27, 12, 42 };
+    const struct mat felt = { MATTE, 2, 4, 0.06 };
+
+    paint_limb(p, flat(c->shade), 1, 12, 6, 0, 32, 6.4);
+    paint_mirror(p, true);
+    paint_poly(p, felt, 6, body, 4);
+    paint_poly(p, c->cloth, 6, cape, 3);
+    paint_poly(p, felt, 6, collar, 2.4);
+    paint_limb(p, c->metal, 8, 39, 0.8, 21, 14, 0.8);
+    paint_mirror(p, false);
+    for (int i = 0; i < 2; i++) {
+        paint_ball(p, flat(13), -5, 43.0 + 6 * i, 1.5, 1.5, 0);
+        paint_ball(p, flat(13), 5, 43.0 + 6 * i, 1.5, 1.5, 0);
+    }
+    paint_poly(p, c->scarf, 4, (double[]){ -6, 33, 0, 41, 6, 33, 0, 36 }, 1);
 }
 
-static void front_hair(struct paint *p, const struct palette *c)
+/* Narrower than the others', with a long chin. */
+static void old_face(struct paint *p, const struct palette *c, bool cross)
 {
-    paint_band(p, -1e9, -11);
-    paint_ball(p, c->hair, 0, -10, 21, 22, 0);
+    paint_ball(p, flat(c->shade), 2.6, 0, 15.4, 18.6, 0);
+    paint_ball(p, flat(c->shade), 4.6, 13.4, 8.8, 9.6, 0);
+    paint_ball(p, flat(c->skin), 1.4, -0.4, 14.8, 18.2, 0);
+    paint_ball(p, flat(c->skin), 3.6, 12.4, 8.2, 9.2, 0);
+    eye(p, c, -3.4, 4.4, 3.8, cross ? 0.5 : 0.3);
+    line(p, c->metal, -8.4, cross ? -2.2 : -3, 0.8, cross ? 0.4 : -3, 0.9);
+    line(p, flat(c->shade), -9.6, 4, -7.6, 5.4, 0.5);
+    line(p, flat(c->shade), -9.8, 7, -7.4, 7.2, 0.5);
+    line(p, flat(c->ink), -13, -8, 19, 3, 0.8); /* the patch and its string */
+    paint_ball(p, flat(c->ink), 11, 4.2, 4.8, 4.6, 0);
+    paint_ball(p, c->metal, 10.4, 3.2, 3.2, 2.8, 0);
+    line(p, flat(c->shade), 5, 6.4, 6.2, 10.6, 0.7);
+    line(p, flat(c->shade), -2.6, 12.6, -0.8, 16.4, 0.5);
+    line(p, flat(c->shade), 10.4, 12.4, 9.6, 16, 0.5);
+    mouth(p, c, 4.4, 16.4, cross);
+}
+
+/* Combed back into a knot, and down in a braid over the shoulder. */
+static void knot(struct paint *p, const struct palette *c)
+{
+    paint_ball(p, c->hair, -15, -22, 8.6, 8, 0.08);
+    paint_ball(p, c->scarf, -11, -18.6, 3.6, 2.2, 0.1);
+    paint_ball(p, c->hair, -3, -5, 19.4, 21, 0);
+}
+
+static void combed(struct paint *p, const struct palette *c)
+{
+    paint_band(p, -1e9, -9);
+    paint_ball(p, c->hair, 0, -8, 18.6, 19, 0);
     paint_band(p, -1e9, 1e9);
-    lock(p, c->hair, -2, -22, -22, -18, -19, 8, 7);
-    lock(p, c->hair, 2, -24, -14, -14, -11, 0, 7);
-    lock(p, c->hair, 4, -24, -4, -12, 0, -2, 6.5);
-    lock(p, c->hair, 4, -24, 14, -16, 9, -3, 6.5);
-    lock(p, c->hair, 6, -24, 22, -18, 20, 6, 6);
-    lock(p, c->hair, -6, -26, 2, -42, 18, -38, 6);
-    lock(p, c->hair, 6, -26, 18, -34, 26, -26, 5);
-}
-
-static void headset(struct paint *p, const struct palette *c)
-{
-    double a[2] = { -20, -2 }, m[2] = { -22, -32 }, b[2] = { 4, -32 };
-    paint_curve(p, c->metal, a, m, b, 2.2, 1.6);
-    paint_ball(p, c->metal, -20, 3, 6.2, 8.4, 0.02);
-    paint_ball(p, c->scarf, -20.4, 3, 4.2, 6.0, 0.02);
-    paint_ball(p, flat(c->white), -21.6, 0.6, 1.3, 1.8, 0.02);
-    double d[2] = { -18, 9 }, e[2] = { -13, 20 }, f[2] = { -3, 19.4 };
-    paint_curve(p, c->metal, d, e, f, 1.1, 1.0);
-    paint_ball(p, c->metal, -1.6, 19.4, 2.2, 1.7, 0);
+    lock(p, c->hair, 12, -20, -6, -22, -16, -4, 5);
+    lock(p, c->hair, 12, -20, 0, -16, -12, -9, 4);
+    lock(p, c->hair, 10, -21, 18, -14, 17.6, -3, 4.6);
+    lock(p, c->hair, -13, -9, -17, 2, -15, 12, 4.4);
+    for (int i = 0; i < 6; i++)
+        paint_ball(p, c->hair, -17 + (i % 2 ? 1.5 : -1.5) + 0.6 * i, 11 + 6.2 * i, 4.6 - 0.2 * i, 4.2,
+                   i % 2 ? 0.1 : -0.1);
+    paint_ball(p, c->scarf, -14, 46, 3.2, 2, 0);
+    paint_ball(p, flat(13), -14.6, 9.4, 1.7, 2.2, 0); /* an earring */
 }
 
 static void sen(struct sheet *s, int x, bool cross)
 {
     struct paint *p = paint_new(FACE_W, FACE_H);
-    back_hair(p, &SEN);
-    suit(p, &SEN);
-    head(p, &SEN);
-    features(p, &SEN, cross);
-    front_hair(p, &SEN);
-    headset(p, &SEN);
+    knot(p, &SEN);
+    storm_coat(p, &SEN);
+    old_face(p, &SEN, cross);
+    combed(p, &SEN);
     paint_done(p, s, x, 0, 1, 1);
 }
 

@@ -615,9 +615,12 @@ struct sheet art_poses(struct sheet (*draw)(void))
     return all;
 }
 
-/* A scene's surroundings of a place, magnified, in the band of a cut-in; NULL: scenes are drawn whole. */
+/* How scenes are drawn into a picture of another size: the surroundings of (cx, cy), turned and magnified, in the band
+ * of a cut-in or on nothing. NULL: as they are. */
 static const struct cut {
-    double cx, cy, zoom;
+    int w, h;
+    double cx, cy, turn, zoom;
+    bool band;
 } * cut;
 
 int art_band(double x, double y)
@@ -638,37 +641,38 @@ int art_streak(int x, int y)
 
 static void cut_out(struct paint *p)
 {
-    const int w = CUT_W * SS, h = CUT_H * SS;
+    const int w = cut->w * SS, h = cut->h * SS;
+    const double c = art_cos(cut->turn), q = art_sin(cut->turn);
     struct sample *from = p->grid;
     int ground[4];
 
-    for (int i = 1; i < 4; i++)
-        ground[i] = new_part(p, (struct mat){ FLAT, i, i, 0 });
-    ground[0] = new_part(p, (struct mat){ FLAT, 15, 15, 0 });
+    for (int i = 0; i < 4; i++)
+        ground[i] = new_part(p, (struct mat){ FLAT, i ? i : 15, i ? i : 15, 0 });
     p->grid = calloc((size_t)(w * h), sizeof *p->grid);
     assert(p->grid);
     for (int y = 0; y < h; y++) {
         for (int x = 0; x < w; x++) {
             double px = (x + 0.5) / SS, py = (y + 0.5) / SS;
-            int band = art_band(px, py);
-            int u = (int)((p->w / 2.0 + cut->cx + (px - CUT_W / 2.0) / cut->zoom) * SS);
-            int v = (int)((p->h / 2.0 + cut->cy + (py - CUT_H / 2.0) / cut->zoom) * SS);
+            double dx = (px - cut->w / 2.0) / cut->zoom, dy = (py - cut->h / 2.0) / cut->zoom;
+            int band = cut->band ? art_band(px, py) : 2;
+            int u = (int)((p->w / 2.0 + cut->cx + dx * c + dy * q) * SS);
+            int v = (int)((p->h / 2.0 + cut->cy + dy * c - dx * q) * SS);
             struct sample *s = &p->grid[y * w + x];
             if (band == 2 && u >= 0 && v >= 0 && u < p->w * SS && v < p->h * SS && from[v * p->w * SS + u].part)
                 *s = from[v * p->w * SS + u];
-            else if (band)
+            else if (cut->band && band)
                 s->part = (uint16_t)ground[band == 1 ? 0 : art_streak((int)px, (int)py)];
         }
     }
-    p->w = CUT_W;
-    p->h = CUT_H;
+    p->w = cut->w;
+    p->h = cut->h;
     free(from);
 }
 
 void art_cut_in(struct sheet *s, int y, void (*draw)(struct sheet *), double cx, double cy, double zoom)
 {
     struct sheet own = sheet_new(CUT_W, CUT_H, 0);
-    struct cut here = { cx, cy, zoom };
+    struct cut here = { CUT_W, CUT_H, cx, cy, 0, zoom, true };
 
     cut = &here;
     draw(&own);
@@ -676,6 +680,17 @@ void art_cut_in(struct sheet *s, int y, void (*draw)(struct sheet *), double cx,
     for (int i = 0; i < CUT_W * CUT_H; i++)
         sheet_set(s, i % CUT_W, y + i / CUT_W, own.px[i]);
     sheet_free(&own);
+}
+
+struct sheet art_turned(int side, void (*draw)(struct sheet *), double turn, double zoom)
+{
+    struct sheet own = sheet_new(side, side, 0);
+    struct cut here = { side, side, 0, 0, turn, zoom, false };
+
+    cut = &here;
+    draw(&own);
+    cut = NULL;
+    return own;
 }
 
 void paint_done(struct paint *p, struct sheet *s, int x0, int y0, int rim, int bright)

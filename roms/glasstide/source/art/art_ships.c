@@ -125,3 +125,13 @@ struct sheet art_tern(void)
 {
     return craft(8, 32, tern);
 }
+
+void art_level_heron(struct sheet *s)
+{
+    heron(s, 0, 0, 1, 0);
+}
+
+void art_level_petrel(struct sheet *s)
+{
+    petrel(s, 0, 0, 1, 0);
+}

@@ -165,6 +165,24 @@ static void boat(struct paint *p, double x, double y, double k, double turn, boo
                (lit ? 3.8 : 2.8) * k, 0);
 }
 
+/* A craft of the game at (x, y), its nose turned from straight up; shades: the picture's for each of the craft's. */
+static void craft(struct sheet *s, void (*draw)(struct sheet *), double x, double y, double turn, double zoom,
+                  const uint8_t shades[16])
+{
+    enum { SIDE = 72 };
+    struct sheet own = art_turned(SIDE, draw, turn, zoom);
+
+    for (int i = 0; i < SIDE * SIDE; i++)
+        if (own.px[i])
+            sheet_set(s, (int)x - SIDE / 2 + i % SIDE, (int)y - SIDE / 2 + i / SIDE, shades[own.px[i]]);
+    sheet_free(&own);
+}
+
+/* The parts of a craft (art_palette.c: outline, 2..6 hull, 7..9 glass, 10..12 accent, 13..15 flame) by day and at
+ * night. */
+static const uint8_t BY_DAY[16] = { 0, 8, 9, 9, 10, 10, 11, 5, 6, 7, 12, 12, 13, 13, 14, 15 };
+static const uint8_t AT_NIGHT[16] = { 0, 8, 9, 10, 11, 5, 6, 13, 14, 15, 12, 12, 12, 13, 14, 15 };
+
 /* ---- the pictures ---- */
 
 static struct sheet begin(int bank)
@@ -289,9 +307,7 @@ struct sheet art_wave(void)
     facets(p);
     swimmers(p);
     paint_done(p, &s, 0, 0, 1, 0);
-    p = paint_new(WIDE, HIGH);
-    boat(p, -100, 23, 0.8, -0.02, true);
-    paint_done(p, &s, 0, 0, 1, 0);
+    craft(&s, art_level_heron, 22, 98, 0.14, 0.8, BY_DAY);
     return s;
 }
 
@@ -310,27 +326,6 @@ static void cone(struct sheet *s, double x, double y, double turn, double wide, 
             sheet_set(s, px, py, (int)art_clamp(was + light + art_dither(px, py) - 0.5, 1, 7));
         }
     }
-}
-
-/* A craft that dives, seen from its side, nose along `turn`. */
-static void craft(struct paint *p, double x, double y, double turn, double k)
-{
-    static const double hull[] = { 24, 0, 10, 5, -12, 6, -20, 2, -20, -3, -10, -6, 10, -5 };
-    static const double wing[] = { 4, 2, -18, 17, -24, 15, -12, 2 }, fin[] = { -8, -4, -20, -14, -24, -12, -18, -2 };
-    double c = art_cos(turn) * k, q = art_sin(turn) * k, at[14];
-    const double *parts[] = { fin, hull, wing };
-    static const int points[] = { 4, 7, 4 };
-
-    for (int part = 0; part < 3; part++) {
-        for (int i = 0; i < points[part]; i++) {
-            double px = parts[part][2 * i], py = parts[part][2 * i + 1];
-            at[2 * i] = x + px * c - py * q;
-            at[2 * i + 1] = y + px * q + py * c;
-        }
-        paint_poly(p, HULL, points[part], at, 2.4 * k);
-    }
-    paint_ball(p, LIT, x + 12 * c + 1.5 * q, y + 12 * q - 1.5 * c, 4 * k, 2.8 * k, turn);
-    paint_ball(p, PANE, x + 24 * c, y + 24 * q, 2 * k, 2 * k, 0);
 }
 
 /* Two lamps, and the deep below them. */
@@ -354,12 +349,12 @@ struct sheet art_dive(void)
         paint_ball(p, (struct mat){ GLASS, 5, 7, 0.3 }, x, y + (i % 2 ? 0 : 16), 0.6 + 1.2 * random_at(i, 6),
                    0.6 + 1.2 * random_at(i, 6), 0);
     }
-    craft(p, 20, -22, 0.17, 1.25);
-    craft(p, -50, -34, 0.19, 1.0);
     for (int i = 0; i < 9; i++) /* what waits down there */
         paint_ball(p, (struct mat){ FLAT, 3 + i % 2, 3 + i % 2, 0 }, -104 + 25 * i + 8 * random_at(i, 8),
                    62 + 14 * random_at(i, 1), 0.9, 0.9, 0);
     paint_done(p, &s, 0, 0, 1, 0);
+    craft(&s, art_level_heron, 142, 58, 0.42, 1.6, BY_DAY);
+    craft(&s, art_level_petrel, 70, 44, 0.44, 1.35, BY_DAY);
     return s;
 }
 
@@ -393,8 +388,8 @@ struct sheet art_home(void)
     p = paint_new(WIDE, HIGH);
     for (int i = 0; i < 7; i++)
         paint_limb(p, FAR, -122 + 14 * i, 16, 3.2 + 3 * random_at(i, 3), -108 + 14 * i, 16, 2.2 + 3 * random_at(i, 4));
-    boat(p, -38, 34, 1.3, 0.015, true);
-    boat(p, 44, 50, 1.7, -0.015, true);
     paint_done(p, &s, 0, 0, 8, 0);
+    craft(&s, art_level_petrel, 78, 108, 0.05, 1.2, AT_NIGHT);
+    craft(&s, art_level_heron, 160, 126, -0.04, 1.6, AT_NIGHT);
     return s;
 }
