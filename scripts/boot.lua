@@ -14,6 +14,13 @@ local obey         -- does what the pause menu asks for in this frame
 
 on.game_over(function() over = true end)
 
+-- Returns the name of a score table: that of the difficulty, for all modes but the first after the mode's name.
+function sys.score_table(difficulty, mode)
+  local modes = rawget(sys, "modes")
+  if not mode or mode == (modes and modes[1].name) then return difficulty end
+  return mode .. "/" .. difficulty
+end
+
 -- Shows the game's own screen with that name, or the library's.
 local function show(name, ...) return (screens[name] or sys.read("screens/" .. name))(...) end
 
@@ -81,7 +88,7 @@ local function enter(ships, continues)
   for p, kind in ipairs(ships) do sys.join(p, kind) end
   local game = sys.scope()
   sys.start(game)
-  hud.start(game, #ships)
+  hud.start(game, #ships, sys.score_table(board.difficulty(), rawget(sys, "mode")))
   if continues then sys.read("boot/continue")(game, #ships, continues, freeze_for, screens.continue) end
   listen(game)
   return game
@@ -214,6 +221,7 @@ end
 function boot.run(args)
   local a, practice, with = sys.read("boot/args")(args), sys.practice()
   screens, entries = a.screens or screens, a.pause or entries
+  sys.modes = a.modes
   if practice == "" then return task.go(play_games, a) end
   a.with = with
   local start, kind = sys.read("boot/practice")(a, practice)

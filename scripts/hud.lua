@@ -641,10 +641,10 @@ end
 -- True from hud.start until its owner ends. At other times, pages use the whole screen.
 function hud.is_playing() return playing end
 
--- Draws every frame for n players, until the owner ends.
-function hud.start(owner, n)
+-- Draws every frame for n players, until the owner ends. scores: the score table, by default the difficulty's.
+function hud.start(owner, n, scores)
   sys.show_whole(false)
-  local top = score.rows(board.difficulty())[1]
+  local top = score.rows(scores or board.difficulty())[1]
   players, playing, last_score, record = n, true, {}, top and top.score or 0
   hidden, banner, again, note, note_bank = { low = 0, all = 0 }, nil, true, nil, nil
   lay_out(hud.large)

@@ -30,8 +30,8 @@ local function ending(a, show, run)
 end
 
 -- Returns the place of a row in the table of all ships, or nil.
-local function place(difficulty, row)
-  for i, r in ipairs(score.rows(difficulty)) do
+local function place(scores, row)
+  for i, r in ipairs(score.rows(scores)) do
     if r.ship == row.ship and r.score == row.score and r.name == row.name then return i end
   end
 end
@@ -41,17 +41,18 @@ end
 local function enter_names(a, show, run)
   local entries = sys.read("boot/records").best(run, #a.kinds > 1)
   if #entries == 0 then return end
+  local scores = sys.score_table(run.difficulty, run.mode)
   local names, ship, mark = show("name", entries), entries[1].row.ship, nil
   if type(names) == "string" then names = { names } end
   for i, e in ipairs(entries) do
     e.row.name = type(names) == "table" and names[i] or nil
     if not e.row.name then sys.fail("boot.run", 'screen "name": expected a list of names, got ' .. type(names)) end
-    local at = score.enter(run.difficulty, e.row)
+    local at = score.enter(scores, e.row)
     mark = mark and at and math.min(mark, at) or mark or at
     if e.row.ship ~= ship then ship = nil end
   end
-  if not ship then mark = place(run.difficulty, entries[1].row) end
-  show("scores", run.difficulty, SCORES, mark, ship)
+  if not ship then mark = place(scores, entries[1].row) end
+  show("scores", run.difficulty, SCORES, mark, ship, run.mode)
 end
 
 -- run: mode, difficulty, ship, ships, players, continues, clear, scores.

@@ -6,6 +6,7 @@ local SCREENS = {
   "history", "music", "unlocks", "missions", "mission", "page", "how_to_play",
 }
 
+local MAX_TABLE <const> = 31 -- bytes of a score table's name, which is mode/difficulty
 local MAX_PAUSE <const> = 8 -- entries of a game in the pause menu
 
 local function fail(what, expected, got)
@@ -60,6 +61,10 @@ local function check_modes(modes)
     if type(mode) ~= "table" then fail(what, "a table", type(mode)) end
     expect_names("argument of a mode:", mode, { "name", "stages", "text", "needs" })
     expect_text(what .. ": name", mode.name, true)
+    for _, difficulty in ipairs(i > 1 and sys.difficulties() or {}) do
+      local left = MAX_TABLE - 1 - #difficulty
+      if #mode.name > left then fail(what .. ": name", ("at most %d bytes"):format(left), #mode.name) end
+    end
     expect_text(what .. ": text", mode.text)
     expect_text(what .. ": needs", mode.needs)
     expect_stages(('mode "%s": stages'):format(mode.name), mode.stages)

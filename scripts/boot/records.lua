@@ -91,8 +91,8 @@ end
 function records.over(run) return earn(run) end
 
 -- Returns the place that a score would have in its table, or nil.
-local function rank(difficulty, ship, points)
-  local rows, place = score.rows(difficulty, ship), 1
+local function rank(scores, ship, points)
+  local rows, place = score.rows(scores, ship), 1
   while rows[place] and rows[place].score >= points do place = place + 1 end
   return points > 0 and place <= 10 and place or nil
 end
@@ -108,12 +108,12 @@ local function ahead(run, p, many)
 end
 
 -- Returns the players whose scores enter a table, as { p, points, rank, row } each; row: the table's row without a name.
--- A game with one ship has one table for each difficulty, other games have one for each ship, too.
+-- A game with one ship has one table for each mode and difficulty, other games have one for each ship, too.
 function records.best(run, many)
   local list = {}
   for p, points in ipairs(run.scores) do
     local ship = many and run.ships[p] or nil
-    local place, stage = rank(run.difficulty, ship, points), math.min(run.reached + 1, FEW)
+    local place, stage = rank(sys.score_table(run.difficulty, run.mode), ship, points), math.min(run.reached + 1, FEW)
     local row = { score = points, ship = ship, stage = stage, clear = run.clear, continues = math.min(run.continues, 15) }
     place = place and place + ahead(run, p, many)
     if place and place <= 10 then list[#list + 1] = { p = p, points = points, rank = place, row = row } end

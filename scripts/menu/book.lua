@@ -4,6 +4,7 @@ local sys = ... -- functions that only the standard library gets; src/script/api
 local page = sys.read("menu/page")
 
 local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
+local UP <const>, DOWN <const> = hud.glyph(150, "^"), hud.glyph(151, "v")
 
 local NEXT <const> = { "fire", "Next", "bomb", "Back" } -- after a run
 
@@ -30,9 +31,10 @@ end
 
 local function between_arrows(name) return LEFT .. " " .. name .. " " .. RIGHT end
 
--- Draws the titles above a page. On a low page the chapter is in the heading's row.
+-- Draws the titles above a page, between arrows that show which keys change them. On a low page the chapter is in the
+-- heading's row.
 local function titles(a, c, name, n, age)
-  local chapter = #a.chapters > 1 and between_arrows(a.chapters[c])
+  local chapter = #a.chapters > 1 and (n > 1 and UP .. " " .. a.chapters[c] .. " " .. DOWN or between_arrows(a.chapters[c]))
   local head = text.lang(a.head)
   local row
   if page.low and chapter then
@@ -45,7 +47,7 @@ local function titles(a, c, name, n, age)
       row = row + 2
     end
   end
-  page.centre(row, not chapter and n > 1 and between_arrows(name) or name, hud.banks.plain)
+  page.centre(row, n > 1 and between_arrows(name) or name, hud.banks.plain)
 end
 
 local function turn(at, n, step) return (at - 1 + step) % n + 1 end

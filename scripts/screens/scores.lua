@@ -1,4 +1,5 @@
--- screens/scores.lua - the score tables: a chapter for each difficulty, with a page for all ships and one for each ship.
+-- screens/scores.lua - the score tables: a chapter for each difficulty, with a page for each mode and all ships and one
+-- for each ship.
 -- A row has two lines: rank, name and score, then ship and how far the run got. If there is room for one line only, names
 -- alternate with the rest.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
@@ -67,35 +68,53 @@ local function table_page(name, rows, mark, many)
   }
 end
 
--- Returns the tables of a difficulty, and the index of the ship's own.
-local function tables(difficulty, ship, mark)
-  local all, list, at = score.rows(difficulty), {}, 1
+-- Adds a mode's tables of a difficulty to a list. Returns the index of the ship's own.
+local function add_tables(list, difficulty, mode, ship, mark)
+  local name = sys.score_table(difficulty, mode.name)
+  local all, first, at = score.rows(name), #list + 1, #list + 1
+  local function title(s) return mode.name and menu.label(mode.name) .. (s == "" and "" or ": ") .. s or s end
   for _, kind in ipairs(sys.kinds("player")) do
-    local rows = score.rows(difficulty, kind)
+    local rows = score.rows(name, kind)
     if rows[1] then
-      list[#list + 1] = table_page(menu.label(kind), rows, kind == ship and mark)
+      list[#list + 1] = table_page(title(menu.label(kind)), rows, kind == ship and mark)
       if kind == ship then at = #list + 1 end
     end
   end
-  if #list < 2 then return { table_page("", all, mark) }, 1 end
-  table.insert(list, 1, table_page(text.lang("All Ships"), all, not ship and mark, true))
-  return list, at
+  if #list <= first then
+    list[first] = table_page(title "", all, mark)
+    return first
+  end
+  table.insert(list, first, table_page(title(text.lang("All Ships")), all, not ship and mark, true))
+  return at
+end
+
+-- The modes that can be played.
+local function open_modes()
+  local list, closed = {}, sys.read("boot/records").closed
+  for _, mode in ipairs(rawget(sys, "modes") or { {} }) do
+    if not closed(mode.needs) then list[#list + 1] = mode end
+  end
+  return list
 end
 
 -- difficulty: the first chapter shown; over: frames until the screen closes by itself; mark: a row to show bright, of the
--- table of `ship` if there is one. Returns whether a player closed it.
-return function(difficulty, over, mark, ship)
-  local names, labels, here = sys.difficulties(), {}, 1
+-- table of `ship` if there is one, in `mode` (default: the first). Returns whether a player closed it.
+return function(difficulty, over, mark, ship, mode)
+  local names, labels, here, modes = sys.difficulties(), {}, 1, open_modes()
+  mode = mode or modes[1].name
   for i, name in ipairs(names) do
     labels[i] = menu.label(name)
     if name == difficulty then here = i end
   end
-  local _, at = tables(difficulty, ship, mark)
-  return book.show {
-    head = "Scores", chapters = labels, chapter = here, at = at, limit = over,
-    pages = function(c)
-      local own = names[c] == difficulty
-      return (tables(names[c], own and ship, own and mark))
-    end,
-  }
+  local function pages(c)
+    local list, at = {}, 1
+    for _, m in ipairs(modes) do
+      local own = names[c] == difficulty and m.name == mode
+      local i = add_tables(list, names[c], m, own and ship, own and mark)
+      if own then at = i end
+    end
+    return list, at
+  end
+  local _, at = pages(here)
+  return book.show { head = "Scores", chapters = labels, chapter = here, at = at, limit = over, pages = pages }
 end
