@@ -117,14 +117,14 @@ local function finished(part)
   return not stopped()
 end
 
--- Shows a line after the game in large letters, unless the player left it. Fire shortens it after a second.
+-- Shows a line after the game in large letters, unless the player left it. Fire shortens it after a third of a second.
 local function show_end(line)
   if left then return end
   hud.banner({ line }, 180, nil, hud.full and 1 or 2)
   for age = 1, 180 do
     wait(1)
     local pressed = pad.take("fire", 0, 1) or pad.take("fire", 0, 2)
-    if pressed and age > 60 then break end
+    if pressed and age > 20 then break end
   end
   hud.banner()
 end

@@ -69,9 +69,16 @@ end
 
 page.wrap = hud.balance
 
+-- A number on a page: "1,234,567". The HUD and numbers in the field have no commas.
+function page.number(n)
+  local digits, many = tostring(n), 1
+  while many > 0 do digits, many = digits:gsub("^(%-?%d+)(%d%d%d)", "%1,%2") end
+  return digits
+end
+
 -- A result of a mission: an amount, or a time in minutes, seconds and hundredths.
 function page.amount(by, value)
-  if by ~= "time" then return tostring(value) end
+  if by ~= "time" then return page.number(value) end
   local minutes, seconds = value // 3600, ("%d.%02d"):format(value // 60 % 60, value % 60 * 100 // 60)
   return minutes == 0 and seconds or ("%d:%s"):format(minutes, value // 60 % 60 < 10 and "0" .. seconds or seconds)
 end

@@ -27,7 +27,7 @@ return function(run)
       page.centre(top, "Congratulations!", page.bank(1, age, hud.banks.bright) or hud.banks.faint)
       page.centre(top + 2, menu.label(run.difficulty), hud.banks.plain)
       for p, points in ipairs(run.scores) do
-        local line = text.lang("Player %d  %09d"):format(p, points)
+        local line = text.lang("Player %d  %s"):format(p, page.number(points))
         page.centre(row + 4 + 2 * p, line, hud.banks.plain)
       end
     end

@@ -54,7 +54,7 @@ end
 
 local function draw(e, row, lit)
   page.centre(row, text.lang("Player %d"):format(e.p), hud.banks.bright, e.col, e.cols)
-  page.centre(row + GAP, ("%09d"):format(e.points), hud.banks.plain, e.col, e.cols)
+  page.centre(row + GAP, page.number(e.points), hud.banks.plain, e.col, e.cols)
   if e.rank then page.centre(row + 2 * GAP, text.lang("Place %d/10"):format(e.rank), hud.banks.plain, e.col, e.cols) end
   draw_wheel(e, row + WHEEL, lit)
   page.clear(row + READY, 1, e.col, e.cols)

@@ -3,11 +3,15 @@
 local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 local page = sys.read("menu/page")
 
-local SHORTEST, LONGEST = 60, 150 -- frames; fire is ignored at first, because players still press it when a boss dies;
+local SHORTEST, LONGEST = 30, 150 -- frames; fire is ignored at first, because players still press it when a boss dies;
                                   -- the page ends this long after its last value
 local RUN, NEXT = 36, 10          -- frames that a value counts up, and from the start of one to that of the next
 local STAMP = 8                   -- frames that a grade flashes
+local KEYS <const> = { "fire", "Next" }
 local GRADE, SIZE = 5, 3          -- rows of the grades, size of their letters
+
+-- Columns between the page's edge and the words.
+local function inset(players) return players == 1 and 3 or 2 end
 
 -- The rows if the game gives none: { word, player 1's value, player 2's value } each. A value may be a function that
 -- returns it.
@@ -23,7 +27,7 @@ end
 local function value(n, age)
   if type(n) == "function" then n = n() end
   if math.type(n) ~= "integer" then return tostring(n or "") end
-  return tostring(n * math.min(age, RUN) // RUN)
+  return page.number(n * math.max(0, math.min(age, RUN)) // RUN)
 end
 
 -- The first words of `word` that fit next to the values.
@@ -36,12 +40,12 @@ end
 -- One player: words at the left, values at the right. Two: words in the middle, values at both sides.
 local function draw_row(at, i, r, players, age)
   age = age - NEXT * (i - 1)
-  local bank = page.bank(1, age, age < RUN and hud.banks.plain or hud.banks.bright)
-  local col, cols = page.col + 3, page.cols - 6
+  local bank = age < RUN and hud.banks.plain or hud.banks.bright
+  local edge = inset(players)
+  local col, cols = page.col + edge, page.cols - 2 * edge
   local word = beside(text.lang(r[1]), r, players, cols)
   page.clear(at, 1)
   hud.put(players == 1 and col or col + (cols - sys.cells(word)) // 2, at, word, hud.banks.plain)
-  if not bank then return end
   local last = value(r[players + 1], age)
   hud.put(col + cols - sys.cells(last), at, last, bank)
   if players > 1 then hud.put(col, at, value(r[2], age), bank) end
@@ -49,8 +53,8 @@ end
 
 local function draw_players(row)
   local words = { text.lang("Player %d"):format(1), text.lang("Player %d"):format(2) }
-  hud.put(page.col + 3, row, words[1], hud.banks.bright)
-  hud.put(page.col + page.cols - 3 - sys.cells(words[2]), row, words[2], hud.banks.bright)
+  hud.put(page.col + inset(2), row, words[1], hud.banks.bright)
+  hud.put(page.col + page.cols - inset(2) - sys.cells(words[2]), row, words[2], hud.banks.bright)
 end
 
 -- What was unlocked, each in a row below the others.
@@ -77,8 +81,9 @@ local function draw_grades(row, grades, age)
   local word = text.lang("Grade")
   for p, s in ipairs(grades) do
     local n = sys.cells(s)
-    local col = page.col + page.cols - 3 - SIZE * n
-    if p == 1 and #grades > 1 then col = page.col + 3 end
+    local edge = inset(#grades)
+    local col = page.col + page.cols - edge - SIZE * n
+    if p == 1 and #grades > 1 then col = page.col + edge end
     hud.put(col, row + 2, s, bank, SIZE)
   end
   if #grades > 1 then return page.centre(row + 3, word, hud.banks.faint) end
@@ -126,6 +131,7 @@ return function(title, players, stopped, rows, new, grades)
     local row = draw_page(title, rows, players, new, top, gap, age) -- every frame: a pause erases it
     if grades then draw_grades(row, grades, age - at) end
     if age < page.GROWING then trim(window) end
+    page.tell(KEYS)
     wait(1)
     if stopped() or age > SHORTEST and page.pressed("fire") then break end
   end

@@ -34,7 +34,7 @@ local BELOW <const> = 1.125 -- and from its first line to its second
 
 -- Draws row i of a table. what: "name", "ship", "far" or "all".
 local function draw_row(i, r, row, bank, marked, what)
-  local points = r and tostring(r.score) or ""
+  local points = r and page.number(r.score) or ""
   local words = r and r.name or "--------"
   local ship = r and r.ship and menu.label(r.ship) or ""
   if r and what == "ship" then words = ship end

@@ -45,7 +45,7 @@ end
 
 local function draw_best()
   local top = score.rows(board.difficulty())[1]
-  if top then page.centre(page.row + 1, text.lang("HI %09d"):format(top.score)) end
+  if top then page.centre(page.row + 1, text.lang("HI %s"):format(page.number(top.score))) end
 end
 
 -- Waits for fire or START. Returns false if nobody pressed one for `limit` frames.

@@ -16,7 +16,7 @@ boot.run { stages = { "one" }, players = { "ship" },
 LUA
 mkdir -p g/lang data/curtain
 "$curtain" help lang | sed -E 's/(.*) =$/\1 = ~\1/; :a; s/(= .*\\n)([^~])/\1~\2/; ta' >g/lang/px.txt
-echo 'name = Pixel' >>g/lang/px.txt
+printf 'name = Pixel\nNext = ~Next\n' >>g/lang/px.txt # Next: on the results, a page of the game
 echo 'name = Plain' >g/lang/en.txt
 ENTER=40 ESCAPE=41 DELETE=76 MINUS=45 RIGHT=79 LEFT=80 DOWN=81 UP=82 X=27 Z=29
 press() { for key; do keys 1 "$key"; keys 2; done; }
