@@ -13,7 +13,8 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SCREENS = ["src/player/screens/*.c", "src/player/play/screen_*.c", "src/player/play/practice.c"]
+SCREENS = ["src/player/screens/*.c", "src/player/play/screen_*.c", "src/player/play/practice.c",
+           "src/player/play/play_practice.c"]
 TABLES = ["src/player/settings/config.c", "src/player/input/keys.c"]
 LIST = "src/workbench/check/program_text.c"
 

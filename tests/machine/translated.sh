@@ -35,7 +35,7 @@ play() { # [ARGUMENT...]
 # The rows of a screen and their values, and what is asked and said on the way.
 walk() {
     repeat 42 $RIGHT $RIGHT $RIGHT $RIGHT $DOWN
-    press $UP $ENTER $X $ENTER $ESCAPE $DOWN $ENTER $Z $DOWN $DELETE $DOWN $ENTER
+    press $UP $ENTER $X $DOWN $ENTER $ENTER $ESCAPE $DOWN $ENTER $Z $ENTER $DOWN $DELETE $DOWN $ENTER
     repeat 4 $DOWN
     press $UP $ENTER $ESCAPE $ESCAPE
 }

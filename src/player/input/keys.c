@@ -47,7 +47,7 @@ static const struct action {
     { "takeover", "Take Over", "t", "play on from this frame of a replay" },
     { "reload", "Reload", "f5", "reload the game's folder now" },
     { "practice", "Practice", "f2", "choose a section to practise" },
-    { "retry", "Retry Section", "r", "restart the section immediately" },
+    { "retry", "Retry Practice", "r", "restart the section that you practise" },
     { "silence", "Mute", "m", "turn sound off or on" },
     { "quieter", "Volume Down", "minus", "lower the volume by ten percent" },
     { "louder", "Volume Up", "equals", "raise the volume by ten percent" },

@@ -232,7 +232,8 @@ struct key_capture {
     bool listening;
     int action;
     struct keys_capture capture;
-    bool started; /* capture has seen the keys held before */
+    bool started;   /* capture has seen the keys held before */
+    uint16_t asked; /* the key to add after the question */
 };
 
 /* screen_replays.c, screen_replay.c. */

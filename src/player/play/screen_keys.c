@@ -1,6 +1,6 @@
 /*
  * screen_keys.c - every key and button and its action; new ones are added by pressing them. A key added to an action is
- * removed from its other actions, except the same button of the other player's controller.
+ * removed from its other actions, after a question, except the same button of the other player's controller.
  */
 #include <stdio.h>
 #include <string.h>
@@ -150,11 +150,14 @@ static void describe(void *context, int at, struct screen_row *row)
 
 /* ---- changes ---- */
 
-static void bind_input(struct play *play, uint16_t code)
+/* Adds the input to the action, and removes it from all others. */
+static void bind_input(void *context)
 {
+    struct play *play = context;
     struct keys *k = &play->config.keys;
-    const char *name = keys_action_name(play->key_capture.action), *other = keys_conflict(k, name, code);
-    char label[INPUT], title[TITLE], before[TITLE];
+    const uint16_t code = play->key_capture.asked;
+    const char *name = keys_action_name(play->key_capture.action);
+    char label[INPUT], title[TITLE];
 
     print_input(play, play->key_capture.action, code, label, sizeof label);
     title_of(play, name, title, sizeof title);
@@ -162,14 +165,26 @@ static void bind_input(struct play *play, uint16_t code)
         screens_show_message(&play->screens, "%s already has %d keys, the maximum", title, KEYS_PER_ACTION);
         return;
     }
+    for (const char *other; (other = keys_conflict(k, name, code));)
+        keys_remove(k, other, code);
+    screens_show_message(&play->screens, "%s: %s", title, label);
+}
+
+/* Asks first if the input has another action. */
+static void choose_input(struct play *play, uint16_t code)
+{
+    const char *other = keys_conflict(&play->config.keys, keys_action_name(play->key_capture.action), code);
+    char label[INPUT], before[TITLE], question[SCREEN_HELP];
+
+    play->key_capture.asked = code;
     if (!other) {
-        screens_show_message(&play->screens, "%s: %s", title, label);
+        bind_input(play);
         return;
     }
+    print_input(play, play->key_capture.action, code, label, sizeof label);
     title_of(play, other, before, sizeof before);
-    screens_show_message(&play->screens, "%s: %s (was %s)", title, label, before);
-    for (; other; other = keys_conflict(k, name, code))
-        keys_remove(k, other, code);
+    screens_format(&play->screens, question, sizeof question, "%s is already used: %s", label, before);
+    screens_ask(&play->screens, question, "Change", bind_input, play);
 }
 
 static bool listen(void *context, const struct plat_input *in)
@@ -187,7 +202,7 @@ static bool listen(void *context, const struct plat_input *in)
         c->listening = false;
         play->screens.message_frames = 0;
         if (!keys_reserved(code))
-            bind_input(play, code);
+            choose_input(play, code);
     }
     return true;
 }

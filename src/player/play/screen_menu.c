@@ -44,6 +44,25 @@ static bool is_practice(const struct play *play)
     return play->start.practice.section[0] != 0;
 }
 
+/* Returns whether the game that started last is a mission. */
+static bool is_mission(const struct play *play)
+{
+    uint32_t n;
+    const struct demo_marker *m = session_markers(&play->session, &n);
+    bool is_mission = false;
+
+    for (uint32_t i = 0; i < n && m[i].frame <= board_frame(play_board(play)); i++)
+        if (m[i].marker.kind == MARKER_GAME || m[i].marker.kind == MARKER_MISSION)
+            is_mission = m[i].marker.kind == MARKER_MISSION;
+    return is_mission;
+}
+
+/* What leaving the run is called. */
+static const char *quit_label(const struct play *play)
+{
+    return is_in_run(play) && is_mission(play) ? "Back to Missions" : "Quit to Title";
+}
+
 static void leave_run(void *context)
 {
     struct play *play = context;
@@ -62,9 +81,8 @@ static void quit_to_title(struct play *play)
     const bool is_saved = play->autosave.on && play->config.replays > 0;
 
     if (play_has_run(play))
-        screens_ask(&play->screens,
-                    is_saved ? "Quit? A replay of this run is saved." : "Quit to the title and lose this run?",
-                    "Quit to Title", leave_run, play);
+        screens_ask(&play->screens, is_saved ? "Quit? A replay of this run is saved." : "Quit and lose this run?",
+                    quit_label(play), leave_run, play);
     else
         leave_run(play);
 }
@@ -163,7 +181,7 @@ static const struct {
     [PRACTICE] = { "Practice", "Practise any part that you have reached.", false, play_open_practice },
     [REPLAYS] = { "Replays", "Watch your recent runs.", false, play_open_replays },
     [LOG] = { "Log", "Script output and errors.", false, play_open_log },
-    [TITLE] = { "Quit to Title", "End this run and return to the title.", false, quit_to_title },
+    [TITLE] = { "", "End this run.", false, quit_to_title },
     [QUIT] = { "Quit Game", "Close the game.", false, play_quit },
 };
 
@@ -233,6 +251,8 @@ static void row(void *context, int at, struct screen_row *row)
     } else if (e == RESTART && is_practice(play)) {
         label = "Restart Section";
         help = "Start this section again.";
+    } else if (e == TITLE) {
+        label = quit_label(play);
     } else if (e == GAME) {
         label = inspect_pause(play_board(play)).entries[i];
     }

@@ -315,10 +315,10 @@ static int content_width(const struct screen_place *p, const struct canvas *canv
     return widest + 2 * cursor_width(canvas);
 }
 
-/* Returns the number of lines of the longest help. */
-static int help_lines(const struct screen_place *p, const struct canvas *canvas, int w)
+/* Returns the number of lines of the longest help, or of the message that is shown instead. */
+static int help_lines(const struct screen_place *p, const struct canvas *canvas, const char *message, int w)
 {
-    int max_lines = 0;
+    int max_lines = canvas_large_text_lines(canvas, message, w);
 
     for (int i = 0, n = p->screen->rows(p->context); i < n; i++) {
         const struct screen_row row = screen_place_row(p, i);
@@ -336,19 +336,21 @@ struct layout {
 };
 
 /* A large screen covers the picture except for the margin. */
-static void lay_out_large(struct layout *l, const struct screen_place *p, const struct canvas *canvas, int edge, int h)
+static void lay_out_large(struct layout *l, const struct screen_place *p, const struct canvas *canvas, int edge, int h,
+                          const char *message)
 {
     const int margin = is_low(canvas) ? 0 : MARGIN, line = canvas_line_height(canvas);
 
     l->air = canvas->fb->h < COMPACT ? 0 : AIR;
     l->frame = (struct screen_area){ margin, margin, canvas->fb->w - 2 * margin, h - 2 * margin };
-    l->help = int_max(help_lines(p, canvas, l->frame.w - 2 * edge), l->frame.w < WIDE ? HELP_LINES : HELP_LINES - 1);
+    l->help =
+        int_max(help_lines(p, canvas, message, l->frame.w - 2 * edge), l->frame.w < WIDE ? HELP_LINES : HELP_LINES - 1);
     l->help = h < MIN_HELP_HEIGHT ? 0 : int_min(l->help, h / (5 * line));
 }
 
 /* A small screen is as large as its rows need. */
 static void lay_out_small(struct layout *l, const struct screen_place *p, const struct canvas *canvas, int edge, int h,
-                          const char *text)
+                          const char *text, const char *message)
 {
     const int w = canvas->fb->w, line = canvas_line_height(canvas), rule = rule_height(canvas);
     bool has_values;
@@ -358,7 +360,7 @@ static void lay_out_small(struct layout *l, const struct screen_place *p, const 
     l->frame.w = int_min(int_max(needed, int_min(w * 4 / 5, SMALL_WIDTH)), w);
     l->frame.x = (w - l->frame.w) / 2;
     l->lines = canvas_large_text_lines(canvas, text, l->frame.w - 2 * edge);
-    l->help = help_lines(p, canvas, l->frame.w - 2 * edge);
+    l->help = help_lines(p, canvas, message, l->frame.w - 2 * edge);
     l->frame.h = 2 * edge + line + rule + l->lines * line + (l->lines ? PADDING : 0) +
                  p->screen->rows(p->context) * row_height(canvas) + (l->help ? rule + l->help * line : 0);
     l->frame.h = int_min(l->frame.h, h);
@@ -366,15 +368,16 @@ static void lay_out_small(struct layout *l, const struct screen_place *p, const 
 }
 
 /* h: of the picture above the buttons. */
-static struct layout lay_out(const struct screen_place *p, const struct canvas *canvas, const char *text, int h)
+static struct layout lay_out(const struct screen_place *p, const struct canvas *canvas, const char *text,
+                             const char *message, int h)
 {
     const int edge = canvas_frame_width(canvas) + PADDING;
     struct layout l = { 0 };
 
     if (p->screen->small)
-        lay_out_small(&l, p, canvas, edge, h, text);
+        lay_out_small(&l, p, canvas, edge, h, text, message);
     else
-        lay_out_large(&l, p, canvas, edge, h);
+        lay_out_large(&l, p, canvas, edge, h, message);
     l.inside = (struct screen_area){ l.frame.x + edge, l.frame.y + edge, l.frame.w - 2 * edge, l.frame.h - 2 * edge };
     return l;
 }
@@ -424,7 +427,7 @@ void screens_draw(struct screens *s, const struct canvas *canvas, int height)
     char title[SCREEN_LABEL], text[SCREEN_TEXT];
     screen_place_title(p, title, sizeof title);
     screen_place_text(p, text, sizeof text);
-    const struct layout l = lay_out(p, canvas, text, height);
+    const struct layout l = lay_out(p, canvas, text, s->message_frames ? s->message : "", height);
     const struct screen_area *a = &l.inside;
     const int line = canvas_line_height(canvas), rule = rule_height(canvas);
     const int help_y = a->y + a->h - l.help * line, bottom = help_y - (l.help ? rule : 0);
