@@ -162,11 +162,13 @@ end
 -- One frame of all players. Returns true if all are done.
 local function step(list, row, age)
   local done, ended = true, false
-  page.tell(KEYS, #list)
   if age % BLINK == 0 then draw_help(list) end
   for _, e in ipairs(list) do
     local was_done = e.done
-    if not e.done then sys.tell_keys(e.p) end
+    if not e.done then
+      sys.tell_keys(e.p)
+      for i = 1, #KEYS, 2 do sys.tell_key(KEYS[i], KEYS[i + 1], e.p) end
+    end
     if not e.done and edit(e) or age % BLINK == 0 then draw(e, row, age // BLINK % 2 == 0) end
     done, ended = done and e.done, ended or e.done and not was_done
   end

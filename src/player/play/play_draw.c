@@ -174,18 +174,18 @@ static struct button_cap cap_of(struct play *play, int player, const char *actio
     return cap;
 }
 
-/* Returns the cap of a button in a hint of the game: of the key that has its meaning while a name is typed. label "":
- * none. */
-static struct button_cap cap_of_hint(struct play *play, const struct board_key_hint *h, bool typing)
+/* Returns the cap of a button in a hint of the game. typist: the player who types a name on the keyboard, or -1; all
+ * keys are theirs, and those for the name are shown. label "": none. */
+static struct button_cap cap_of_hint(struct play *play, const struct board_key_hint *h, int typist)
 {
     static const char *const buttons[PAD_BUTTON_COUNT] = PAD_BUTTON_NAMES;
     struct button_cap key = { .kind = -1 };
     char action[16];
 
     snprintf(action, sizeof action, "p%d.%s", h->player + 1, buttons[h->button]);
-    if (!typing)
+    if (typist < 0 || (h->player != typist && play->config.keys.device[h->player].is_controller))
         return cap_of(play, h->player, action);
-    if (h->player == 0)
+    if (h->player == typist)
         snprintf(key.label, sizeof key.label, "%s",
                  1 << h->button == PAD_START  ? "enter"
                  : 1 << h->button == PAD_BOMB ? "backspace"
@@ -225,8 +225,8 @@ static void set_hint(struct play *play, struct button_hint *hint, const char *ac
 static int list_hints(struct play *play, bool covered, struct button_hint hint[MAX_KEY_HINTS])
 {
     const struct board_out *out = board_last_output(play_board(play));
-    const int typist = play_typist(play);
-    const bool typing = typist >= 0 && !play->config.keys.device[typist].is_controller;
+    const int at_keyboard = play_typist(play),
+              typist = at_keyboard >= 0 && play->config.keys.device[at_keyboard].is_controller ? -1 : at_keyboard;
     int n = 0;
 
     if (play_is_watching(play)) {
@@ -244,10 +244,10 @@ static int list_hints(struct play *play, bool covered, struct button_hint hint[M
         set_hint(play, &hint[n++], "p1.start", "Start");
         return n;
     }
-    if (!typing && (play->session.demo || (!play->config.hints && inspect_pause(play_board(play)).is_listening)))
+    if (typist < 0 && (play->session.demo || (!play->config.hints && inspect_pause(play_board(play)).is_listening)))
         return 0;
     for (int i = 0; i < out->key_hint_count; i++)
-        n = add_hint(hint, n, cap_of_hint(play, &out->key_hint[i], typing), out->key_hint[i].meaning);
+        n = add_hint(hint, n, cap_of_hint(play, &out->key_hint[i], typist), out->key_hint[i].meaning);
     if (n == 0 && play->start.practice.section[0] && board_frame(play_board(play)) < REPLAY_HINT_FRAMES)
         set_hint(play, &hint[n++], "", "Practice");
     return n;
