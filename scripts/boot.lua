@@ -120,7 +120,7 @@ end
 -- Shows a line after the game in large letters, unless the player left it. Fire shortens it after a third of a second.
 local function show_end(line)
   if left then return end
-  hud.banner({ line }, 180, nil, hud.full and 1 or 2)
+  hud.banner({ line }, 180, nil, 2)
   for age = 1, 180 do
     wait(1)
     local pressed = pad.take("fire", 0, 1) or pad.take("fire", 0, 2)
