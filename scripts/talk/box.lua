@@ -120,11 +120,8 @@ return function(look, may_skip, fire)
     text.clear { col = left, row = NAME_ROW // 1, w = cols, h = 1 }
     if not talker then return end
     local name = hud.wrap(text.lang(talker.name), cols - 2)[1] -- of a long name, the words that fit
-    local n, portrait = sys.cells(name), sides[side] and sides[side].talker == talker and sides[side].sprite.sprite
-    -- Next to the portrait, towards the middle, if there is space.
-    local free = cols - 1 - n
-    local from_edge = math.min(free, portrait and (sys.size(portrait) + 24) // 8 or 1)
-    local col = left + (side == "right" and free - from_edge + 1 or from_edge)
+    local n = sys.cells(name)
+    local col = left + (side == "right" and cols - 1 - n or 1) -- over the portrait's lower edge
     put_plate("name", 8 * col - 9, plate.y - 8, 8 * n + 18, 16)
     write(col, NAME_ROW, name, hud.banks.bright)
   end

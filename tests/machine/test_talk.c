@@ -171,12 +171,12 @@ TEST(faces)
             "say('iri', 'A') say('sen', 'B') say('iri', 'C', { face = 'cross' }) say('voice', 'D') say(nil, 'E')\n"
             "say('iri', 'F', { side = 'right' }) end)");
     rig_run(&r, 40);
-    assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), "    IRI"); /* to the right of the portrait */
+    assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), " IRI"); /* over the lower edge of the portrait */
     int iri = standing(LAYER_OVER, false, &seen);
     assert_true(iri >= 0 && seen == 3);
     assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), r.b->screen.dim);
     next_line();
-    assert_string_equal(cells(NAME_ROW, BOX_COL + BOX_COLS - 7, 7), "SEN");
+    assert_string_equal(cells(NAME_ROW, BOX_COL + BOX_COLS - 7, 7), "   SEN");
     int sen = standing(LAYER_OVER, true, &seen);
     assert_true(sen >= 0 && seen == 4);
     assert_int_equal(r.b->sprites.bank[sen], 3);
