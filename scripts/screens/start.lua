@@ -8,7 +8,7 @@ local PREVIEW <const> = hud.full and 5 or 6 -- rows below the panel for the ship
 local EDGE <const> = 24                    -- px from the middle of a ship to the edge of the field, at least
 local WIDEST <const> = 26                  -- columns of a player
 local TEXT <const> = math.min(WIDEST, page.cols - 4) -- columns of text
-local PITCH <const> = page.low and 1.25 or 1.5 -- rows from one figure to the next, at least
+local PITCH <const> = page.low and 1.25 or hud.full and 1.75 or 1.5 -- rows from one figure to the next, at least
 -- Rows from one choice to the next, and from one line of text to the next, on a full page.
 local CLOSE <const>, TIGHT <const> = hud.full and 1.75 or 1.5, hud.full and 1.5 or 1.25
 local BLINK <const> = 16                   -- frames that the arrows keep their colour
@@ -399,7 +399,7 @@ local function lay_out()
     bottom = math.ceil(state.text + state.text_rows * state.apart) + 1
     if state.figures - bottom >= PREVIEW then break end
   end
-  state.ship_row = state.figures - math.max(3, math.min(5, (state.figures - bottom) // 2))
+  state.ship_row = state.figures - math.max(3, math.min(5, (state.figures - bottom) * 3 // 5))
   page.panel(bottom)
   local edge = state.players == 1 and 2 or 1.5
   state.bar = gap > 1 and page.bar(page.col + edge, state.rows[1].place, page.cols - 2 * edge, gap) or nil
