@@ -26,11 +26,11 @@ static const char *const away_labels[] = { "Run", "Pause" };
 static const char *const focus_labels[] = { "Hold", "Toggle" };
 static const char *const hand_labels[] = { "Off", "Left", "Right" };
 static const char *const turn_labels[] = { "Off", "Left", "Right", "Upside Down" };
-static const char *const scaling_labels[] = { "Integer", "Smooth" };
+static const char *const scaling_labels[] = { "Sharp", "Smooth" };
 static const char *const place_labels[] = { "Overlay", "Beside" };
 static const char *const dim_labels[] = { "Off", "25%", "50%", "75%" };
 static const char *const flash_labels[] = { "Full", "Soft" };
-static const char *const colour_labels[] = { "Off", "Protan", "Deutan", "Tritan" };
+static const char *const colour_labels[] = { "Off", "Red", "Green", "Blue" };
 
 #define DIP_PREFIX "dip."
 
@@ -43,9 +43,9 @@ static const struct config_setting settings[] = {
     { "turn", "Rotate", "Display", AT(rotation), 0, 3, 0, turns, turn_labels, 1,
       "rotate the picture for a monitor that is turned", NULL, NULL },
     { "scaling", "Scaling", "Display", AT(scaling), 0, 1, 0, scalings, scaling_labels, 1,
-      "keep all pixels equally sharp, or fill the whole window", NULL, NULL },
-    { "crt", "CRT Filter", "Display", AT(crt), 0, 1, 0, no_yes, off_on, 1,
-      "add the scanlines and the shadow mask of a CRT", NULL, NULL },
+      "show sharp pixels of one size, or fill the whole window", NULL, NULL },
+    { "crt", "CRT Filter", "Display", AT(crt), 0, 1, 0, no_yes, off_on, 1, "look like the screen of an old television",
+      NULL, NULL },
     { "border", "Border", "Display", AT(border), 0, 1, 1, no_yes, off_on, 1, "show the game's art around the picture",
       NULL, NULL },
     { "panels", "Messages", "Display", AT(panels), 0, 1, 0, places, place_labels, 1,
@@ -66,7 +66,7 @@ static const struct config_setting settings[] = {
     { "flashes", "Flashes", "Accessibility", AT(flashes), 0, 1, 0, views_flashes, flash_labels, 1,
       "weaken flashes of the screen", NULL, NULL },
     { "colours", "Colour-Blind", "Accessibility", AT(colours), 0, 3, 0, views_colours, colour_labels, 1,
-      "make colours easier to tell apart", NULL, NULL },
+      "help with red (protan), green (deutan) or blue (tritan)", NULL, NULL },
     { "hitbox", "Show Hitbox", "Accessibility", AT(hitbox), 0, 1, 0, no_yes, off_on, 1, "always show the ship's hitbox",
       NULL, NULL },
     { "large_hud", "Larger HUD", "Accessibility", AT(large_hud), 0, 1, 0, no_yes, off_on, 1,
