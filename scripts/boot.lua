@@ -89,7 +89,7 @@ local function enter(ships, continues)
   local game = sys.scope()
   sys.start(game)
   hud.start(game, #ships, sys.score_table(board.difficulty(), rawget(sys, "mode")))
-  if continues then sys.read("boot/continue")(game, #ships, continues, freeze_for, screens.continue) end
+  if continues or #ships > 1 then sys.read("boot/continue")(game, #ships, continues or 0, freeze_for, screens.continue) end
   listen(game)
   return game
 end
