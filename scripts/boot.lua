@@ -39,27 +39,28 @@ end
 -- Freezes the board, calls f, which shows a screen, and then restores the text on the screen. A frozen board runs only
 -- the tasks of one scope, so the screen gets a scope of its own.
 local function freeze_for(f)
-  local screen, written, aside = sys.scope(), sys.keep_text(), {}
+  local scope, written, aside = sys.scope(), sys.keep_text(), {}
   local function close()
     sys.freeze() -- without a scope: all tasks run again
     sys.text_back(written)
     for _, s in ipairs(aside) do s.hidden = false end
-    task.stop(screen)
+    task.stop(scope)
   end
-  local screen_task = task.own(screen, function()
+  local shown = task.own(scope, function()
     aside = set_aside()
+    screen.flash { over = 1, share = 0 } -- would last as long as the board is frozen
     f()
     close()
   end)
-  if not task.alive(screen_task) then return task.stop(screen) end -- no free task, so nothing could unfreeze the board
-  task.own(screen, function()
+  if not task.alive(shown) then return task.stop(scope) end -- no free task, so nothing could unfreeze the board
+  task.own(scope, function()
     repeat
       wait(1)
       obey()
     until left
     close()
   end)
-  sys.freeze(screen)
+  sys.freeze(scope)
 end
 
 -- Makes the program's pause menu part of this game: it can restart or leave it, or choose one of the game's entries.

@@ -20,8 +20,8 @@ local rom = {
                story = "art/palette_story.png" },
   -- Japanese of 8 px, for the HUD, and of 12 px; make copies the fonts from Debian's fonts-misaki and
   -- xfonts-efont-unicode
-  fonts = { japanese = { file = "art/misaki_gothic.ttf", size = 8, shadow = true, optional = true },
-            japanese_12 = { file = "art/efont_12.bdf", shadow = true, optional = true } },
+  fonts = { japanese = { file = "art/misaki_gothic.ttf", size = 8, ink = 13, shadow = true, optional = true },
+            japanese_12 = { file = "art/efont_12.bdf", ink = 13, shadow = true, optional = true } },
   sheets = {
     bullets = { file = "art/bullets.png", bank = 0 },
     shots   = { file = "art/shots.png",   bank = 0 },

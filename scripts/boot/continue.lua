@@ -53,6 +53,7 @@ return function(game, players, n, freeze_for, screen)
         elseif asks and pad.take("start", 0, p) then
           go_on(p)
         elseif asks then
+          sys.tell_key("start", "Continue", p)
           show_prompt(p, text.lang("Press Start: %d Left"):format(left))
         elseif out[p] == TOLD then
           clear_prompt()

@@ -13,13 +13,14 @@ return function(p, left)
   local window = page.over(col, row, W, H)
   page.centre(row + 1, text.lang("Player %d"):format(p), hud.banks.plain, col, W)
   page.centre(row + 3, "Continue?", hud.banks.bright, col, W)
-  page.centre(row + 11, "Press Start", hud.banks.bright, col, W)
-  page.centre(row + 13, text.lang("Continues Left: %d"):format(left), hud.banks.plain, col, W)
+  page.centre(row + 12, text.lang("Continues Left: %d"):format(left), hud.banks.plain, col, W)
   local frame = 0
   while frame < (SECONDS + 1) * 60 and not answer do
     page.grow(window, frame)
     page.clear(row + 6, SIZE, col, W)
     hud.put(col + (W - SIZE) / 2, row + 6, tostring(SECONDS - frame // 60), hud.banks.bright, SIZE)
+    sys.tell_key("start", "Continue", p)
+    sys.tell_key("bomb", "Faster", p)
     wait(1)
     frame = frame + 1
     if page.pressed("bomb", p) then frame = (frame // 60 + 1) * 60 end

@@ -121,6 +121,7 @@ struct art_font {
     char chars[ART_CHARS_SIZE];       /* characters of the cells, in reading order */
     char extra_chars[ART_CHARS_SIZE]; /* characters to pack even if no text uses them */
     bool fixed;                       /* all cells have the same width */
+    int32_t ink;                      /* the brightest shade, 2 to 15; 0: as drawn */
     bool shadow;
     bool optional; /* packed only if the file exists */
     bool by_index;

@@ -493,7 +493,7 @@ TEST(help_has_them_all)
         settings++;
     keys_print_help(0, count_line);
     config_help(count_line);
-    assert_int_equal(lines, KEYS_ACTIONS + settings + 1); /* and the language */
+    assert_int_equal(lines, KEYS_ACTIONS + settings + 2); /* and the language and the switches */
 }
 
 RUN_TESTS_EACH(setup, NULL)

@@ -86,6 +86,8 @@ TEST(bdf)
     assert_true(pack_font_add_shadow(&f));
     assert_true(f.list[1].w == 5 && f.list[1].h == 4 && f.list[0].w == 0);
     assert_memory_equal(f.list[1].pix, "\17\1\0\17\1\1\17\17\1\1\17\17\17\17\1\1\1\1\1\1", 20);
+    pack_font_darken(&f, 13);
+    assert_memory_equal(f.list[1].pix, "\15\1\0\15\1\1\15\15\1\1\15\15\15\15\1\1\1\1\1\1", 20);
     pack_font_free(&f);
 }
 

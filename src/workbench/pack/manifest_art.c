@@ -69,6 +69,7 @@ static void read_font(const struct manifest_value *v, void *entry, struct art *a
         TEXT("chars", art_font, chars, "characters"),
         TEXT("also", art_font, extra_chars, "characters"),
         FLAG("fixed", art_font, fixed),
+        WHOLE("ink", art_font, ink, 2, 15),
         FLAG("shadow", art_font, shadow),
         FLAG("optional", art_font, optional),
         MATCH("match", art_font, by_index),

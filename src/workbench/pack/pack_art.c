@@ -242,6 +242,8 @@ static bool add_proportional_font(struct packer *p, const struct art_font *font)
                 : font->w == 0  ? read_bdf(p, font, wanted, &f)
                                 : read_cells(p, font, wanted, &f);
     free(wanted);
+    if (good && font->ink)
+        pack_font_darken(&f, font->ink);
     if (good && (!font->shadow || pack_font_add_shadow(&f)))
         size = pack_font_make(&f, &data);
     pack_font_free(&f);

@@ -125,6 +125,13 @@ static bool has_ink(const struct pack_font_glyph *g)
     return false;
 }
 
+void pack_font_darken(struct pack_font *f, int ink)
+{
+    for (int i = 0; i < f->n; i++)
+        for (int k = 0; k < f->list[i].w * f->list[i].h; k++)
+            f->list[i].pix[k] = (uint8_t)((f->list[i].pix[k] * ink + 14) / 15);
+}
+
 bool pack_font_add_shadow(struct pack_font *f)
 {
     for (int i = 0; i < f->n; i++) {

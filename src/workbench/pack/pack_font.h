@@ -50,6 +50,9 @@ void pack_font_free(struct pack_font *f);
 /* Sorts the glyphs by code. False: two glyphs have the code *code. */
 bool pack_font_sort(struct pack_font *f, uint32_t *code);
 
+/* Makes `ink` the brightest shade, 2 to 15, and the others as much darker. */
+void pack_font_darken(struct pack_font *f, int ink);
+
 /* Adds a shadow of shade 1, to the right and below each glyph. False: out of memory. */
 bool pack_font_add_shadow(struct pack_font *f);
 
