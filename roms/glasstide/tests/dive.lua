@@ -5,7 +5,7 @@ run:step(1200)
 test.shot("dive-1800")
 run:step(3000)
 test.shot("dive-4800")
-test.equal(run.score, 29005, "points")
+test.equal(run.score, 68488, "points")
 test.equal(run.difficulty, "normal")
 test.equal(run.music, "lantern", "the midboss's music")
 
